@@ -8,7 +8,7 @@ namespace hapticwall {
 namespace {
 
 constexpr std::uint32_t kReplacement = 0xFFFD;
-constexpr unsigned kTailBits = 6;  // that a continuation byte carries
+constexpr unsigned kTailBits = 6;  // bits that a continuation byte carries
 
 bool may_be_shown(std::uint32_t character) {
   const bool control = character < 0x20 || (character >= 0x7F && character <= 0x9F);
@@ -17,7 +17,8 @@ bool may_be_shown(std::uint32_t character) {
 }
 
 void append(std::string& text, std::uint32_t character) {
-  constexpr std::array<std::uint32_t, 4> kLeads{0x00, 0xC0, 0xE0, 0xF0};  // by number of tails
+  // Lead bytes by the number of continuation bytes.
+  constexpr std::array<std::uint32_t, 4> kLeads{0x00, 0xC0, 0xE0, 0xF0};
   unsigned tails = character > 0xFFFF ? 3 : character > 0x7FF ? 2 : character > 0x7F ? 1 : 0;
   text += static_cast<char>(kLeads[tails] | (character >> (tails * kTailBits)));
   while (tails-- > 0) {
@@ -39,7 +40,7 @@ std::size_t utf8_length(std::string_view text) {
     if ((static_cast<unsigned char>(text[i]) & 0xc0U) != 0x80U) return 0;
   }
   if (length < 3) return length;
-  // The second byte shows overlong forms, surrogates and what is beyond U+10FFFF.
+  // The second byte reveals overlong forms, surrogates and code points beyond U+10FFFF.
   const auto second = static_cast<unsigned char>(text[1]);
   const bool overlong = (lead == 0xe0 && second < 0xa0) || (lead == 0xf0 && second < 0x90);
   const bool no_character = (lead == 0xed && second >= 0xa0) || (lead == 0xf4 && second >= 0x90);
@@ -66,7 +67,7 @@ std::string to_utf8(const wchar_t* text) {
   std::string result;
   if (text == nullptr) return result;
   for (; *text != L'\0'; ++text) {
-    // wchar_t may be signed; a negative value is no character.
+    // wchar_t may be signed; a negative value is not a character.
     const auto character =
         static_cast<std::uint32_t>(static_cast<std::make_unsigned_t<wchar_t>>(*text));
     append(result, may_be_shown(character) ? character : kReplacement);

@@ -276,7 +276,7 @@ Result<file::LoadedScene> load_for_study(const std::string& command, const Scene
                                          ? load_recorded(command, options, quiet)
                                          : load_headless(options);
   if (!loaded) return loaded;
-  // Its figures would be those of the script, not of the recorded hand.
+  // A study would describe the hand's script, not the recorded hand.
   if (!loaded->not_repeatable_because.empty()) {
     return usage_error(fmt::format(
         "{}: its session cannot be repeated: {}; '{} NAME.csv' re-runs the recorded hand",

@@ -65,9 +65,9 @@ void add_output_options(CLI::App& app, OutputOptions& options);
 // load() for a run without a window: refuses a hand that follows the mouse.
 [[nodiscard]] Result<file::LoadedScene> load_headless(const SceneOptions& options);
 
-// The same for a study on the simulator: refuses a device, a scene whose parameters change, and the
-// sidecar of a session that cannot be repeated. A recording gives its session::recorded_scene(); if
-// not `quiet`, notes say so.
+// load() for a study on the simulator: refuses a device, a scene whose parameters change, and the
+// sidecar of a session that cannot be repeated. A recording gives its session::recorded_scene();
+// notes say so unless `quiet`.
 [[nodiscard]] Result<file::LoadedScene> load_for_study(const std::string& command,
                                                        const SceneOptions& options, bool quiet);
 
@@ -82,7 +82,7 @@ void add_output_options(CLI::App& app, OutputOptions& options);
 [[nodiscard]] Failure check_scene_files(const OutputOptions& options,
                                         const file::LoadedScene& loaded);
 
-// Tells that a session of this scene will not be the recorded one, if that is so.
+// Prints a note if a session of this scene will differ from the recorded one.
 void tell_difference(const file::LoadedScene& loaded);
 
 // --algorithms A,B,...

@@ -67,7 +67,7 @@ class OutputFile {
 struct ResultTexts {
   std::string csv;
   std::string json;
-  std::string table;  // for people
+  std::string table;  // the text for people
 };
 
 using DrawResult = std::function<Result<file::Picture>(draw::Ink ink)>;
@@ -80,9 +80,9 @@ class OutputFiles {
   // Something else uses it: no table. Fails for --json on it.
   [[nodiscard]] Failure leave_standard_output();
   [[nodiscard]] bool wants_plot() const { return plot_.is_open(); }
-  // Writes the open files, then the table, or the JSON for `--json -`, to standard output. Returns
-  // the first failure; the others are written all the same. Calls `draw` only for --plot, on a
-  // thread of its own: a stop signal ends the program at once.
+  // Writes the open files, then the table (or the JSON for `--json -`) to standard output. A
+  // failure does not stop the other writes; returns the first one. Calls `draw` only for --plot, on
+  // a thread of its own, so that a stop signal ends the program at once.
   [[nodiscard]] Failure write(const ResultTexts& texts, const DrawResult& draw = {});
 
  private:

@@ -88,7 +88,7 @@ std::string scenes() {
   return text;
 }
 
-// The long names; of those that take a value alone, if `with_value`.
+// Long names of the options; if `with_value`, only of options that take a value.
 std::vector<std::string> words_of(const CLI::App& app, bool with_value) {
   std::vector<std::string> words;
   for (const CLI::Option* option : app.get_options()) {

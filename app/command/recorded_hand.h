@@ -19,8 +19,8 @@ struct OpenedRecording {
   file::LoadedScene loaded;  // of session::rerun_scene()
 };
 
-// Opens options.scene. `talks`: says on standard error that its hand is re-run. Fails where
-// rerun_scene() does, and with --duration.
+// Opens options.scene. `talks`: prints on standard error that the recording's hand is re-run. Fails
+// where rerun_scene() does, and with --duration.
 [[nodiscard]] Result<OpenedRecording> open_for_rerun(const SceneOptions& options, bool talks);
 
 // One row of a comparison: rerun_hand() with this algorithm; nullopt if a signal ended it.
@@ -28,7 +28,7 @@ struct OpenedRecording {
     OpenedRecording& recording, const ComparedAlgorithm& row,
     const std::function<void(const Tick&)>& on_tick, Progress& progress);
 
-// Says on standard error what the re-run leaves out.
+// Prints on standard error what the re-run leaves out.
 void tell_limits(const file::RecordingInfo& recording);
 
 }  // namespace hapticwall::command

@@ -22,7 +22,8 @@ using session::stop_signal;
 // The exit status of a run whose only reader has left.
 inline constexpr int kReaderLeft = status_of_signal(SIGPIPE);
 
-// Says "ended early by Ctrl-C" and `rest` on standard error; returns the exit status, 128 + signal.
+// Prints "ended early by Ctrl-C" and `rest` on standard error; returns the exit status, 128 +
+// signal.
 [[nodiscard]] int ended_early(std::string_view rest = "; nothing was written");
 
 // The exit status of a window that has closed: its error, or the signal that closed it.

@@ -93,7 +93,7 @@ Error usage_problem(const CLI::App& program, const CLI::ParseError& problem) {
   if (dynamic_cast<const CLI::ExtrasError*>(&problem) != nullptr && !left_over.empty()) {
     return usage_error(unexpected(program, app, left_over.front()));
   }
-  // Its text is that of a ValueCheck, which says what the value may be.
+  // The text of a ValueCheck names the values that the option takes.
   if (dynamic_cast<const CLI::ValidationError*>(&problem) != nullptr) {
     return usage_error(problem.what());
   }

@@ -59,7 +59,7 @@ void add_trial_options(CLI::App& program, session::ExperimentChoice& choice) {
       ->type_name("FILE.csv");
 }
 
-// Its own algorithm wins over --algorithm.
+// An algorithm among `overrides` wins over --algorithm.
 session::SceneWith scene_with(SceneOptions options) {
   if (!options.algorithm.empty())
     options.settings.push_back("algorithm.name=" + std::exchange(options.algorithm, ""));
@@ -101,7 +101,7 @@ std::optional<float> forced_scale(const LookOptions& look) {
   return look.scale > 0.0 ? std::optional(static_cast<float>(look.scale)) : std::nullopt;
 }
 
-// A recording instead of a scene. It takes no options of a scene.
+// Replays a recording instead of a scene. Takes no options of a scene.
 Result<int> open_recording(const SceneOptions& options, const LookOptions& look,
                            const session::OpenWindow& open) {
   if (!options.algorithm.empty() || !options.settings.empty() || options.device != kSimulator) {

@@ -34,7 +34,7 @@ class BlindTrials {
   [[nodiscard]] static Result<BlindTrials> create(const TrialPlan& plan);
 
   [[nodiscard]] const TrialPlan& plan() const { return plan_; }
-  // Breaks are no trials.
+  // Number of trials, breaks not counted
   [[nodiscard]] std::size_t planned() const { return planned_; }
   // Counted from 0; planned() at the end.
   [[nodiscard]] std::size_t trial() const { return trial_; }
@@ -58,8 +58,8 @@ class BlindTrials {
   // session only. Precondition: neither finished nor at a break.
   Slot present(Presentation presentation, double now_s);
 
-  // The answer to the present trial, with all that the trial knows of it. Fails (exit status 2)
-  // before both were felt, at a break, and after the end.
+  // The answer to the present trial, with everything known about it. Fails (exit status 2) before
+  // both slots were felt, at a break, and after the end.
   [[nodiscard]] Result<file::Answer> answer(Presentation presentation, double now_s) const;
   // The present trial is answered, now or in a session before: starts the next one. Skips breaks.
   // Precondition: not finished.

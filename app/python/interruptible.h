@@ -14,7 +14,7 @@
 
 namespace hapticwall::python {
 
-// Between two questions for Ctrl-C.
+// Interval between two checks for Ctrl-C.
 inline constexpr std::chrono::milliseconds kSignalPeriod{50};
 
 // Counts the runs that have begun and not ended, of all threads. Laws change only while there is

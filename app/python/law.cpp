@@ -57,8 +57,8 @@ Slots& slots() {
   return kept;
 }
 
-// Functions that the list calls, for each slot: a law's functions do not know which law they are
-// of. Plain pointers, so that a tick reads one.
+// Functions that the list calls, one set a slot, because a law's function does not know its law.
+// Plain pointers, so that a tick reads only one.
 struct Functions {
   double (*step)(void*, const hw_input*, double*) = nullptr;
   void (*configure)(void*, const hw_context*) = nullptr;

@@ -47,8 +47,8 @@ std::size_t add_law(const Law& law);
 // True if the algorithm's step() takes the interpreter's lock.
 [[nodiscard]] bool takes_lock(std::size_t algorithm);
 
-// Called where Python tells of an exception that nobody can catch: true if a law of this thread
-// raised it. The law's force is then NaN, and the law is not called again in this run.
+// Called where Python reports an exception that nobody can catch. True if a law of this thread
+// raised it: the law's force is then NaN, and the law is not called again in this run.
 [[nodiscard]] bool note_raised();
 
 }  // namespace hapticwall::python

@@ -15,7 +15,7 @@
 
 namespace hapticwall::session {
 
-inline constexpr std::size_t kMaxNameBytes = 64;  // of a participant or a session
+inline constexpr std::size_t kMaxNameBytes = 64;  // bytes of the name of a participant or a session
 
 struct ExperimentChoice {
   std::string list;         // path
@@ -28,12 +28,12 @@ struct ExperimentChoice {
 // The scene of the session with these texts of --set in addition.
 using SceneWith = std::function<Result<Scene>(std::span<const std::string> overrides)>;
 
-using SlotScenes = std::array<Scene, 2>;  // of A and B
+using SlotScenes = std::array<Scene, 2>;  // scenes of A and B
 
 struct Experiment {
-  std::string name;  // of the list, without folder and ending
+  std::string name;  // name of the list, without folder and ending
   std::vector<file::TrialSpec> trials;
-  std::vector<SlotScenes> scenes;  // of each trial
+  std::vector<SlotScenes> scenes;  // scenes of each trial
   file::AnswersFile answers;
 };
 

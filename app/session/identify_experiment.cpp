@@ -26,7 +26,7 @@ Result<double> limit_of(const IdentifyChoice& choice, double device_limit_n) {
                                  choice.limit_n, device_limit_n));
 }
 
-// It has no parameters and begins once, so that only the step concerns it.
+// The algorithm has no parameters and starts once, so only its step is implemented.
 constexpr Algorithm kExperimentAlgorithm{
     {},
     [](void* /*state*/) {},

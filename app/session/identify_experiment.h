@@ -23,8 +23,8 @@ namespace hapticwall::session {
 // Settings that a person chooses.
 struct IdentifyChoice {
   double limit_n = 0.0;     // 0.01 to 32.767; 0: 20 % of the device's force, at most 2 N
-  double travel_m = 0.018;  // to both sides of the start, 0.005 to 0.1
-  double seconds = 25.0;    // of strokes, 8 to 300
+  double travel_m = 0.018;  // travel to either side of the start, 0.005 to 0.1
+  double seconds = 25.0;    // duration of the strokes, 8 to 300
 };
 inline constexpr ValueRange kIdentifyLimitN{0.01, 32.767};
 inline constexpr ValueRange kIdentifyTravelM{0.005, 0.1};
@@ -34,8 +34,8 @@ inline constexpr ValueRange kIdentifySeconds{8.0, 300.0};
 inline constexpr std::string_view kTooFewStrokes =
     "the handle made too few strokes; repeat with more seconds";
 
-// Why no experiment finds the numbers of a device, which --device `option` opens and `own`
-// describes; empty: one may.
+// Reason why no experiment can identify the device that --device `option` opens and `own`
+// describes; empty: one can.
 [[nodiscard]] std::string why_not_identified(const std::string& option,
                                              const std::optional<file::DeviceDescription>& own);
 
@@ -53,17 +53,17 @@ inline constexpr std::string_view kTooFewStrokes =
 [[nodiscard]] Scene identify_scene(const Scene& loaded,
                                    const identify::ExperimentSettings& experiment);
 
-// Asks a person to let go, and says what follows.
+// Asks a person to let go of the handle, and announces the next step.
 [[nodiscard]] std::string let_go_text(const identify::ExperimentSettings& experiment);
 
-// The file of a device before its numbers are known: `own`, or what is known of `device`, which
-// --device `option` opened.
+// Description of a device before its numbers are known: `own`, or the known facts of `device`,
+// which --device `option` opened.
 [[nodiscard]] file::DeviceDescription identified_description(
     const std::optional<file::DeviceDescription>& own, const std::string& option,
     const device::DeviceInfo& device, const Scene& scene);
 
-// The experiment in the place of an algorithm. The loop calls step(); the owner's thread calls the
-// rest.
+// The experiment as a substitute for the algorithm. The loop calls step(); the owner's thread calls
+// the rest.
 class ExperimentAlgorithm final : public BorrowedAlgorithm {
  public:
   explicit ExperimentAlgorithm(const identify::ExperimentSettings& settings);
@@ -89,7 +89,7 @@ class ExperimentAlgorithm final : public BorrowedAlgorithm {
  private:
   identify::Experiment experiment_;
   std::uint64_t first_tick_ = 0;
-  double wanted_n_ = 0.0;  // at the tick before
+  double wanted_n_ = 0.0;  // desired force at the previous tick
   std::atomic<bool> begun_{false};
   std::atomic<bool> stopped_{false};
   std::atomic<bool> ended_{false};
@@ -101,7 +101,7 @@ enum class IdentifyStage : std::uint8_t { kWaits, kRest, kRamps, kStrokes, kOver
 struct IdentifyProgress {
   IdentifyStage stage = IdentifyStage::kWaits;  // kWaits: for the whole force of the device
   double strokes_s = 0.0;
-  double lowest_m = 0.0;  // from the start of the experiment
+  double lowest_m = 0.0;  // position relative to the start of the experiment
   double highest_m = 0.0;
 };
 
@@ -126,8 +126,8 @@ class IdentifyExperiment {
   void stop(std::string why);
   [[nodiscard]] IdentifyProgress progress() const;
 
-  // Preconditions of these: the loop is over, or look() has returned true.
-  // Why it did not come to its end.
+  // Precondition of the following members: the loop is over, or look() has returned true. trouble()
+  // is the reason why the experiment did not finish.
   [[nodiscard]] Failure trouble() const;
   // The ticks of the experiment alone, with the resolution of the device.
   [[nodiscard]] identify::Record record() const;
@@ -139,12 +139,12 @@ class IdentifyExperiment {
   std::vector<double> position_m_;
   std::vector<double> force_n_;
   std::vector<double> applied_n_;
-  std::uint64_t ticks_ = 0;      // of the session
+  std::uint64_t ticks_ = 0;      // ticks of the session
   std::uint64_t kept_from_ = 0;  // the first one in the record
-  std::uint64_t next_tick_ = 0;  // that continues the record
+  std::uint64_t next_tick_ = 0;  // the tick that continues the record
   double lowest_m_ = 0.0;
   double highest_m_ = 0.0;
-  std::string why_;  // it was stopped
+  std::string why_;  // reason of a stop; empty: not stopped
 };
 
 }  // namespace hapticwall::session

@@ -29,8 +29,8 @@ struct RecordingStatus {
   RecordingState state = RecordingState::kIdle;
   std::uint64_t rows = 0;
   std::uint64_t dropped_rows = 0;
-  std::string path;   // of the CSV, also after the end
-  std::string error;  // one line, where state is kFailed
+  std::string path;   // path of the CSV, also after the end
+  std::string error;  // one line, only in state kFailed
 };
 
 struct SessionOptions {
@@ -75,8 +75,8 @@ class LiveSession : public SampleSource {
   // their scripts. No effect without a hand, or with numbers that make no motion (HandMove).
   virtual void move_hand(const HandMove& move) = 0;
 
-  // Slow motion of a simulator: one tick in so many periods, 1 or more. The samples are those of
-  // full speed. No effect on a real device.
+  // Slow motion of a simulator: one tick every this many periods, 1 or more. The samples are those
+  // of full speed. No effect on a real device.
   virtual void slow_down(std::uint32_t periods_per_tick) = 0;
 
   // Asks for the force of a real device (arming.h), or removes it at the next tick. The snapshot

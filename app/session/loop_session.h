@@ -26,8 +26,8 @@
 
 namespace hapticwall::session {
 
-// LiveSession::start_on() with an algorithm in the place of the algorithm of axis x; it must
-// outlive the session. `device` null: the simulator of the scene. `borrowed` null: the algorithm.
+// LiveSession::start_on() with `borrowed` in the place of the algorithm of axis x; it must outlive
+// the session. `device` null: the simulator of the scene. `borrowed` null: the scene's algorithm.
 [[nodiscard]] Result<std::unique_ptr<LiveSession>> start_under(
     BorrowedAlgorithm* borrowed, std::unique_ptr<device::Device> device, const Scene& scene,
     const SessionOptions& options);
@@ -92,10 +92,10 @@ class LoopSession final : public LiveSession {
   [[nodiscard]] std::uint64_t dropped_rows() const;
 
   CrashStop crash_stop_;            // outlives the loop
-  std::deque<PlantKeeper> plants_;  // of the axes; outlive the devices
+  std::deque<PlantKeeper> plants_;  // plants of the axes; outlive the devices
   std::vector<std::unique_ptr<device::Device>> devices_;
   const device::DeviceInfo device_info_;
-  file::CsvColumns columns_;  // of recordings
+  file::CsvColumns columns_;  // columns of recordings
   ParameterHistory history_;
   Exchange exchange_;
   ServoLoop loop_;
@@ -107,13 +107,13 @@ class LoopSession final : public LiveSession {
   std::deque<Command> unsent_;  // waits for room in the queue
   std::deque<HandMove> unsent_moves_;
   std::uint32_t recording_switches_sent_ = 0;
-  std::uint64_t dropped_rows_before_ = 0;  // by earlier recordings
+  std::uint64_t dropped_rows_before_ = 0;  // rows dropped by earlier recordings
   std::string recording_start_time_;
   std::string recording_path_;
-  Failure recording_failure_;  // of the newest recording, after its end
+  Failure recording_failure_;  // failure of the newest recording, after its end
   std::vector<file::Mark> marks_;
   std::uint64_t marks_revision_ = 0;
-  std::size_t first_mark_ = 0;  // of the newest recording
+  std::size_t first_mark_ = 0;  // first mark of the newest recording
   std::uint32_t resets_sent_ = 0;
 
   // Metadata that the recorder has, and the earliest time of the next update.

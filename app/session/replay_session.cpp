@@ -26,7 +26,7 @@ ReplaySession::ReplaySession(std::unique_ptr<file::RecordingReader> recording,
   set_speed(options.speed);
   const file::RecordingInfo& info = this->recording();
   device_info_.name = "recording " + std::filesystem::path(info.csv_path).filename().string();
-  device_info_.is_simulated = true;  // there is nothing that could push
+  device_info_.is_simulated = true;  // a replay exerts no force
   realtime_.text = "no loop: a recording";
   if (!info.realtime.empty()) realtime_.text += " (of one with " + info.realtime + ")";
   show_place();

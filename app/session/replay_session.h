@@ -123,7 +123,7 @@ class ReplaySession final : public SampleSource {
   double place_ticks_ = 0.0;    // first_tick() to last_tick()
   std::uint64_t next_row_ = 0;  // next row for take_samples()
   std::uint32_t resets_ = 0;
-  Tick shown_;  // at the present time
+  Tick shown_;  // tick at the present time
   std::uint64_t shown_row_ = 0;
   Failure failure_;
 };

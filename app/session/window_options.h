@@ -29,7 +29,7 @@ struct WindowOptions {
   Scene scene;
   StartSession start_on_device;                          // empty: the simulator
   std::string device = "sim";                            // --device
-  std::optional<file::DeviceDescription> description{};  // of the device's file
+  std::optional<file::DeviceDescription> description{};  // description in the device's file
   // Makes the recording to show first; empty: a session of the scene is shown.
   std::function<std::unique_ptr<ReplaySession>()> replay;
   // Folder for recordings; empty: from the settings, or the current folder.
@@ -41,7 +41,7 @@ struct WindowOptions {
   std::vector<file::SignalColumn> signals;     // see SessionOptions::signals; on the simulator
   bool repeats = false;     // a simulated scene begins anew at its end, until another one is chosen
   std::string opened_file;  // the scene's file; empty: a built-in scene
-  std::shared_ptr<Experiment> experiment;  // that runs at once; null: none
+  std::shared_ptr<Experiment> experiment;  // experiment that starts at once; null: none
 };
 
 // Opens a window and returns when it is closed.

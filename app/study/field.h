@@ -41,7 +41,7 @@ Json json_of(const std::optional<T>& value) {
 
 // Form of a number in the sheet.
 struct NumberForm {
-  double scale = 1.0;  // from SI to the unit of the column
+  double scale = 1.0;  // factor from SI to the unit of the column
   int decimals = 0;
   bool scientific = false;
 };
@@ -50,8 +50,8 @@ inline constexpr NumberForm kScientific{1.0, 1, true};
 
 template <typename Row>
 struct Field {
-  std::string_view key;         // of JSON and CSV
-  Json (*value)(const Row&);    // in SI units
+  std::string_view key;         // key in JSON and CSV
+  Json (*value)(const Row&);    // value in SI units
   std::string_view title = {};  // column of the sheet; "": not in the sheet
   std::string_view unit = {};
   NumberForm form = {};

@@ -21,9 +21,9 @@ namespace hapticwall::study {
 struct Option {
   std::string_view key;
   std::string_view type;      // placeholder in --help, as "N,N,..."
-  std::string help;           // with range and default
-  std::string default_value;  // as text
-  // Says what the option takes if `text` is wrong; else "".
+  std::string help;           // text with range and default
+  std::string default_value;  // the default as text
+  // Names the accepted values if `text` is wrong; else "".
   std::string (*wrong)(std::string_view text);
 };
 
@@ -40,8 +40,8 @@ struct Means {
 
 // Result of a study. Text and data alone: a program without Dear ImGui can read it.
 struct Outcome {
-  table::Sheet sheet;  // for people
-  std::string csv;     // for programs: all digits, SI units
+  table::Sheet sheet;  // the table for people
+  std::string csv;     // the data for programs: all digits, SI units
   std::string json;
   std::optional<draw::LogFigure> figure;  // present if and only if Study::figure is not ""
 };
@@ -50,8 +50,8 @@ struct Outcome {
 using Run = std::function<std::optional<Outcome>(const Means& means)>;
 
 struct Study {
-  std::string_view name;    // of the command, and of its items in the window
-  std::string_view title;   // in the window
+  std::string_view name;    // name of the command, and of its items in the window
+  std::string_view title;   // title in the window
   bool has_command = true;  // false: the study is a mode of another command
   std::string_view help;    // one line of --help
   std::string_view about;   // text of the window before there is a result

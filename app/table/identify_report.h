@@ -12,8 +12,8 @@ namespace hapticwall::table {
 struct IdentifiedBy {
   std::string device;
   std::string date;            // UTC
-  double force_limit_n = 0.0;  // of the experiment
-  double seconds = 0.0;        // of strokes
+  double force_limit_n = 0.0;  // force limit of the experiment
+  double seconds = 0.0;        // duration of the strokes
   std::uint32_t turns = 0;
   std::uint64_t missed_ticks = 0;
 };
@@ -22,7 +22,7 @@ struct IdentifiedBy {
                                         const identify::Identification& found);
 [[nodiscard]] std::string identify_json(const IdentifiedBy& by,
                                         const identify::Identification& found);
-// Why there is no device file of a model that does not fit.
+// Reason why a model that does not fit gives no device file.
 [[nodiscard]] std::string misfit_text(const IdentifiedBy& by);
 // Message about a device file that was written.
 [[nodiscard]] std::string written_text(const std::string& path);

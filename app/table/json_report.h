@@ -24,7 +24,8 @@ void add_limits(const Boundary& boundary, Json& object);
 // A header and one line per object; `null` is an empty field. All objects have the same keys.
 [[nodiscard]] std::string csv_text(const std::vector<Json>& objects);
 
-// A study: `head` with the array "rows", and the same flat, with `head` in every line.
+// study_json_text(): `head` with the array "rows". study_csv_text(): one line a row, each with
+// `head`.
 [[nodiscard]] std::string study_json_text(Json head, const std::vector<Json>& rows);
 [[nodiscard]] std::string study_csv_text(const Json& head, const std::vector<Json>& rows);
 

@@ -9,7 +9,7 @@
 namespace hapticwall {
 namespace {
 
-// In the order of tables. The first one is the default.
+// Tables list them in this order. The first one is the default.
 constexpr std::array kEstimators{
     estimator_of<BackwardDifference>(),
 };

@@ -50,7 +50,7 @@ void ExactPlant<Body, kFriction>::advance_piece(Real force_n, Real duration_s, i
       step_s = std::min(body_.level(body_.deepest_level()).duration_s, rest_s);
       if (done_s + step_s <= done_s) break;  // the rest is below the last digit
       step_s *= advance_by_taylor(force_n, now, step_s);
-      // A stretch below the last digit of the time is no progress either.
+      // A stretch shorter than the last digit of the time makes no progress either.
       events_at_one_instant = done_s + step_s > done_s ? 0 : events_at_one_instant + 1;
     }
     done_s += step_s;
@@ -96,7 +96,7 @@ auto ExactPlant<Body, kFriction>::rest_for_a_while(Real force_n, const Drive& no
   return 0;
 }
 
-// Stops a handle whose velocity has only rounding errors left.
+// Stops a handle whose velocity consists of rounding errors only.
 template <typename Body, bool kFriction>
 void ExactPlant<Body, kFriction>::stop_if_spent() {
   if constexpr (kFriction) {

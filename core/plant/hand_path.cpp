@@ -8,7 +8,8 @@
 namespace hapticwall {
 namespace {
 
-// Points within this distance of a tick, in ticks, count as on it: decimal times round in binary.
+// Points within this distance of a tick, in ticks, count as on it, because decimal times round in
+// binary.
 constexpr double kOnTickTolerance = 1e-9;
 
 double snap_to_tick(double ticks) {
@@ -121,7 +122,7 @@ void HandPath::release() {
   aim();
 }
 
-// One tick towards the pointer, or back to the script, at a limited speed.
+// Moves for one tick towards the pointer, or back to the script, at a limited speed.
 void HandPath::aim() {
   now_.straight_until_tick = 0;
   bends_ = false;

@@ -93,8 +93,8 @@ Real refine(const TaylorPolynomial<Real>& p, Real sign, Real low, Real high) {
   return theta;
 }
 
-// The answer of search() on [0, 1] where it is plain, without Bernstein coefficients: P keeps its
-// sign, or it is monotone and ends clearly on one side.
+// The answer of search() on [0, 1] in the simple cases, without Bernstein coefficients: P keeps its
+// sign, or it is monotone and clearly ends on one side.
 enum class Plain : std::uint8_t { kNo, kStays, kCrosses };
 template <typename Real>
 Plain plain_case(const Coefficients<Real>& c, Real sign) {

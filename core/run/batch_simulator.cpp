@@ -9,8 +9,8 @@
 namespace hapticwall {
 namespace {
 
-// The caller's two functions without overlapping calls: a thread that finds another one in a call
-// skips its own.
+// Keeps calls of the caller's two functions from overlapping: a thread that finds another one in a
+// call skips its own.
 class Reporter {
  public:
   Reporter(const BatchOptions& options, std::size_t total) : options_(options), total_(total) {}

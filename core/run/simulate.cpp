@@ -16,7 +16,7 @@ void run_chunk(HeadlessRun& run, PlantVariant& variant, std::uint64_t end) {
   std::visit([&](auto& plant) { run_loop(run, plant, end); }, variant);
 }
 
-// One axis of several. Its samples wait until the others reach their tick.
+// One of several axes. Its samples wait until the others reach the same tick.
 class WaitingAxis {
  public:
   WaitingAxis(const Scene& scene, std::vector<ScheduledChange> changes, const AxesOptions& all)

@@ -18,7 +18,7 @@ void on_threads(std::size_t workers, const Worker& work) {
   std::vector<std::jthread> threads;
   try {
     for (std::size_t worker = 1; worker < workers; ++worker) threads.emplace_back(work, worker);
-  } catch (const std::system_error&) {  // fewer do the same
+  } catch (const std::system_error&) {  // fewer threads do the same work
   }
   work(0);
 }

@@ -16,7 +16,7 @@ namespace {
 constexpr int kRounds = 7;
 // Minimum time of a row in a round: a single run of a fast row is too short for the clock.
 constexpr std::int64_t kMinTimedNs = 2'000'000;
-constexpr int kMaxRepetitions = 1000;  // the clock may stand still
+constexpr int kMaxRepetitions = 1000;  // bound for a clock that stands still
 // Approximate cost of the extended-precision run in exact runs, for the progress bar.
 constexpr double kReferenceWork = 10.0;
 constexpr double kTicksPerQuestion = 1024.0;  // approximate, for the progress bar

@@ -81,7 +81,7 @@ double middle(const BoundaryPlan& plan, const Change& change) {
 
 bool is_open(const BoundaryPlan& plan, const Change& change) {
   const double larger = std::max(std::abs(change.settled), std::abs(change.failed));
-  const double value = middle(plan, change);  // one of the two if they are adjacent doubles
+  const double value = middle(plan, change);  // equals one end if the two ends are adjacent doubles
   return std::abs(change.failed - change.settled) > plan.tolerance * larger &&
          value != change.settled && value != change.failed;
 }
@@ -91,7 +91,7 @@ struct OpenChange {
   Change* change;
 };
 
-// Runs scenes and reports what part of all runs to expect is done.
+// Runs scenes and reports the finished share of all expected runs.
 class Runner {
  public:
   Runner(const BoundaryPlan& plan, const BoundaryOptions& options) : options_(options) {
@@ -120,7 +120,7 @@ class Runner {
   double done_ = 0.0;
 };
 
-// One step of all open changes; false if stopped.
+// Bisects every open change once; false if stopped.
 bool bisect(const BoundaryPlan& plan, const std::vector<OpenChange>& open, Runner& runner) {
   std::vector<Scene> scenes;
   scenes.reserve(open.size());

@@ -16,7 +16,7 @@ namespace {
 constexpr std::string_view kFirstStiffness = "wall[0].stiffness_n_per_m";
 constexpr double kRiseFrom = 0.1;
 constexpr double kRiseTo = 0.9;
-constexpr double kSearchShare = 0.9;  // of a row's progress
+constexpr double kSearchShare = 0.9;  // share of a row's progress
 
 Scene scene_of(const ContactStudyPlan& plan, const AlgorithmSettings& algorithm) {
   Scene scene = plan.scene;

@@ -1,4 +1,5 @@
-// Computes the cells of a stability map. A file of its own: readers of maps need no simulator.
+// Computes the cells of a stability map. It is a separate file, because readers of maps need no
+// simulator.
 #include <numeric>
 #include <string>
 

@@ -27,8 +27,8 @@ struct Piece {
 // Faster than std::abs(), which guards against overflow.
 double magnitude(Complex value) { return std::sqrt(std::norm(value)); }
 
-// A function of the angle on a piece, by Taylor's theorem: no value on the piece lies farther from
-// the one in the middle than reach().
+// A function of the angle on a piece. By Taylor's theorem, no value on the piece differs from the
+// middle one by more than reach().
 class Enclosure {
  public:
   // Value and derivatives in the middle, and a bound of |third derivative| on the piece.
@@ -101,7 +101,7 @@ Enclosure polynomial(const std::array<double, kSize>& coefficients, std::size_t 
   for (std::size_t done = 0; done + 1 < count; ++done) {
     for (std::size_t i = count - 1; i-- > done;) local.at(i) += w * local.at(i + 1);
   }
-  // Bounds of the derivatives by w, because a chord is at most as long as its arc.
+  // Bounds of the derivatives by w; they hold because a chord is at most as long as its arc.
   double first = 0.0;
   double second = 0.0;
   double third = 0.0;
@@ -187,8 +187,8 @@ CurvePoint point_at(const PulseTransfer& plant, double damping, double angle) {
   return {part.stiffness(damping).value(), std::norm(part.numerator.value())};
 }
 
-// Stiffness at the crossing of the real axis, on a piece with at most one; regula falsi (Illinois).
-// nullopt: none.
+// Stiffness at the crossing of the real axis, on a piece with at most one crossing; regula falsi
+// (Illinois). nullopt: no crossing.
 std::optional<double> stiffness_at_crossing(const PulseTransfer& plant, double damping,
                                             const Piece& piece) {
   constexpr int kMaxSteps = 60;

@@ -9,7 +9,7 @@ namespace {
 constexpr std::uint64_t kPresentBit = std::uint64_t{1} << 48U;
 constexpr std::uint64_t kEnableBit = kPresentBit << 1U;
 constexpr unsigned kSequenceShift = 32;
-constexpr unsigned kForceShift = 16;  // of the second axis
+constexpr unsigned kForceShift = 16;  // shift of the second axis
 
 }  // namespace
 

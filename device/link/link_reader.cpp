@@ -68,7 +68,7 @@ hid::ReadKind LinkReader::drain(int wait_ms) {
     last = outcome.kind;
     const bool works = last == hid::ReadKind::kReport || last == hid::ReadKind::kNothing;
     const std::int64_t now_ns = now_ns_();
-    const Trouble gap = exchange_.listening.cause(now_ns);  // before this read
+    const Trouble gap = exchange_.listening.cause(now_ns);  // the cause before this read
     exchange_.listening.heard(now_ns, !works);
     if (last != hid::ReadKind::kReport) break;
     take(std::span<const std::uint8_t>(room).first(std::min(outcome.size, room.size())), now_ns,

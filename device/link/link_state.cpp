@@ -13,8 +13,8 @@ namespace {
 constexpr std::int32_t kMaxStepUs = 1'000'000;
 // More ticks than any device makes in that time.
 constexpr int kMaxStepTicks = 20'000;
-// A force that a device tells may differ from the commanded one by this share of its limit (eight
-// bits of an amplifier are 0.4 %), and by a step of the report.
+// A reported force may differ from the commanded one by this share of its limit (eight bits of an
+// amplifier are 0.4 %), plus a step of the report.
 constexpr double kForceTolerance = 0.01;
 constexpr double kReportStepN = 1.5 / hid::kStepsPerNewton;
 // Weight of one tick in the moving average of the delay.

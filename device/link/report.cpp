@@ -10,11 +10,11 @@ namespace hapticwall::device::hid {
 namespace {
 
 constexpr std::size_t kCrcAt = kReportBytes - sizeof(std::uint16_t);
-constexpr std::size_t kVersionAt = 1;  // of STATE and INFO
+constexpr std::size_t kVersionAt = 1;  // offset in STATE and INFO
 constexpr double kMillivoltsPerVolt = 1e3;
 constexpr double kCentidegreesPerDegree = 1e2;
 constexpr std::uint8_t kMaxMinor = 0x0F;
-constexpr std::uint8_t kEnableFlag = 1;  // of FORCE
+constexpr std::uint8_t kEnableFlag = 1;  // flag in FORCE
 constexpr std::uint8_t kClearFaultsFlag = 2;
 constexpr std::uint8_t kKnownForceFlags = kEnableFlag | kClearFaultsFlag;
 
@@ -111,7 +111,7 @@ std::uint8_t version_of(std::uint8_t minor) {
   return static_cast<std::uint8_t>(kProtocolMajor << 4U | std::min(minor, kMaxMinor));
 }
 
-// Checks what all reports share: length, id and CRC.
+// Checks the parts that all reports share: length, id and CRC.
 bool sound(std::span<const std::uint8_t> bytes, std::uint8_t id, Refusal& refusal) {
   refusal = Refusal::kLength;
   if (bytes.size() != kReportBytes) return false;

@@ -16,7 +16,8 @@ namespace {
 
 // Larger than a report, so that an overlong one is noticed.
 constexpr std::size_t kRawRoom = kMaxDialectBytes + 64;
-// A device that reports on change has rested so long: a quarter of what a position may age.
+// A device that reports on change counts as resting after this time: a quarter of the maximum age
+// of a position.
 constexpr std::int64_t kRestNs = kLinkLostNs / 4;
 
 std::int64_t half_period_ns(double rate_hz) {
@@ -33,7 +34,7 @@ struct Translation {
   const Dialect dialect;
   const HostClock now_ns;
   StandIn stand_in;
-  // One handle is closed and the other one will be: no handle of the next link may share it.
+  // Set when one of the two handles has closed: no handle of the next link may share the device.
   std::atomic<bool> closing{false};
 };
 
@@ -86,7 +87,7 @@ class DialectHandle : public Handle {
 
   std::unique_ptr<Handle> raw_;
   std::shared_ptr<Translation> translation_;
-  std::optional<std::array<double, kMaxAxes>> position_m_;  // told last, at
+  std::optional<std::array<double, kMaxAxes>> position_m_;  // last reported position and its time
   std::int64_t told_ns_ = 0;
 };
 

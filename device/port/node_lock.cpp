@@ -26,7 +26,7 @@ std::string name_in_locks(const struct stat& file) {
   return text;
 }
 
-// The process with the flock of a file; 0: it is gone, or of another container.
+// Process that holds the flock of a file; 0: it has ended, or is in another container.
 long holder_of(int descriptor) {
   struct stat file {};
   if (::fstat(descriptor, &file) != 0) return 0;

@@ -162,7 +162,7 @@ class PluginPort::Connection {
   const bool answers;
   const bool calibrated;
   hid::StandIn stand_in;
-  // One handle is closed, and the other one will be.
+  // Set when one of the two handles has closed: no new handle may share the device.
   std::atomic<bool> closing{false};
 
  private:

@@ -45,7 +45,7 @@ struct SharedDevice {
   std::shared_ptr<NodeLock> lock;  // released after the device is closed
   OpenDevice device;
   std::mutex mutex;
-  // One handle is closed and the other one will be: no new handle may share it.
+  // Set when one of the two handles has closed: no new handle may share the device.
   std::atomic<bool> closing{false};
 };
 
@@ -96,8 +96,8 @@ class HidapiHandle : public Handle {
   std::shared_ptr<SharedDevice> shared_;
 };
 
-// The device file to open. hidraw's path is that file; libusb's ("1-4.2:1.0") is the name in sysfs,
-// which knows the number on the bus.
+// The device file to open. The path of hidraw is that file. The path of libusb ("1-4.2:1.0") is a
+// name in sysfs, where the bus and device numbers are found.
 std::string node_of(const std::string& path) {
   if constexpr (!kIsLibusb) return path;
   const std::string folder = "/sys/bus/usb/devices/" + path.substr(0, path.find(':'));
@@ -191,7 +191,7 @@ class HidapiPort : public Port {
     return std::unique_ptr<Handle>(std::make_unique<HidapiHandle>(std::move(shared)));
   }
 
-  // That of the handles that this process has, if any.
+  // The lock that this process's handles hold, if any; else a new one.
   Result<std::shared_ptr<NodeLock>> lock_of(const std::string& path) {
     const std::string node = node_of(path);
     auto held = locks_[path].lock();

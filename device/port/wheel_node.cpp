@@ -21,7 +21,7 @@ constexpr std::int32_t kFullGain = 0xFFFF;
 // Share of the endpoint's rate that is used: at all of it, a queue of the kernel stays full, and is
 // a delay.
 constexpr double kShareOfEndpoint = 0.9;
-// Value of an axis whose wheel has told nothing since it was opened.
+// Value of an axis whose wheel has reported nothing since it was opened.
 constexpr std::int32_t kUntold = std::numeric_limits<std::int32_t>::min();
 // Rate of a wheel of which neither endpoint nor model is known: the slowest one known.
 constexpr double kUnknownRateHz = 125.0;
@@ -30,7 +30,7 @@ struct ModelRate {
   std::uint16_t vendor_id;
   double max_rate_hz;
 };
-// Moza, Thrustmaster, Logitech: they take less than their endpoints say.
+// Makers whose wheels accept less than their endpoints declare: Moza, Thrustmaster, Logitech.
 constexpr std::array kModelRates{ModelRate{0x346E, 400.0}, ModelRate{0x044F, 125.0},
                                  ModelRate{0x046D, 250.0}};
 
@@ -128,9 +128,9 @@ class EventWheel final : public WheelNode {
   }
 
  private:
-  // The kernel gives joysticks a fuzz of a 256th of their range: small motions would not be heard.
-  // Its value is 0 or old: usbhid throws away what a wheel tells while it is opened, and one at
-  // rest may not tell it again.
+  // The kernel gives joysticks a fuzz of 1/256 of their range, which hides small motions. The
+  // kernel's value is 0 or old: usbhid drops what a wheel reports while it is opened, and a wheel
+  // at rest may not report it again.
   [[nodiscard]] Failure sharpen() {
     input_absinfo axis{};
     if (Failure failed = node_.get_axis(ABS_X, axis)) return failed;
@@ -146,7 +146,7 @@ class EventWheel final : public WheelNode {
   bool has_gain_;
   bool has_autocentre_;
   ff_effect effect_{};
-  std::optional<input_absinfo> fuzzy_;  // as it was before sharpen()
+  std::optional<input_absinfo> fuzzy_;  // axis before sharpen()
 };
 
 }  // namespace

@@ -57,8 +57,8 @@ class WheelPort::Connection {
   const WheelScale scale;
   hid::StandIn stand_in;
   WheelWriter writer;
-  std::atomic<bool> gone{false};  // it did not take a report
-  // One handle is closed, and the other one will be.
+  std::atomic<bool> gone{false};  // the wheel did not accept a report
+  // Set when one of the two handles has closed: no new handle may share the device.
   std::atomic<bool> closing{false};
 };
 

@@ -1,4 +1,4 @@
-// hapticwall compare SCENE: the same scene under every algorithm, one table.
+// hapticwall compare SCENE: runs one scene under every algorithm and prints one table.
 #include <fmt/format.h>
 
 #include <cstdint>
@@ -52,8 +52,8 @@ Failure check_plot(const OutputOptions& options, const Scene& scene, std::size_t
 }
 
 struct Runs {
-  std::vector<RunSummary> summaries;           // in the order of --algorithms
-  std::vector<draw::SampleHistory> histories;  // of axis x, for --plot
+  std::vector<RunSummary> summaries;           // summaries in the order of --algorithms
+  std::vector<draw::SampleHistory> histories;  // samples of axis x, for --plot
 };
 
 // The scene, or the recording whose hand every row re-runs.

@@ -113,8 +113,8 @@ Result<DeviceList> look_at_devices(device::hid::Port& port) {
   if (!listings) return listings.error();
   DeviceList list;
   for (const Listing& listing : *listings) {
-    // Only devices that --device ie2000 would open: without a known usage page, any other one could
-    // be a keyboard, which opening would take away.
+    // Opens only devices that --device ie2000 would open. Without a known usage page, another
+    // device could be a keyboard, and opening it would take it away from its user.
     if (device::hid::fits(listing, {})) {
       list.haptic.push_back(look_at(port, listing));
     } else {

@@ -20,10 +20,10 @@ struct ListedDevice {
 };
 
 struct DeviceList {
-  std::vector<ListedDevice> haptic;  // that speak the protocol, or may
+  std::vector<ListedDevice> haptic;  // devices that speak the protocol, or may
   std::size_t others = 0;            // HID devices of other kinds
   std::vector<device::evdev::WheelListing> wheels{};
-  std::string kernel_advice{};  // about wheels; empty: none
+  std::string kernel_advice{};  // note about wheels; empty: none
 };
 
 // Opens each possible haptic device, reads its description and closes it. Leaves the amplifiers

@@ -22,10 +22,10 @@ constexpr std::size_t kHistogramWidth = 50;
 constexpr double kRateTolerance = 0.01;
 
 struct DeviceMarks {
-  double age;             // in periods
-  double write;           // in periods
+  double age;             // age limit in periods
+  double write;           // write limit in periods
   double missing_states;  // share of all
-  double delay;           // in periods
+  double delay;           // delay limit in periods
 };
 constexpr DeviceMarks kGoodMarks{1.5, 0.5, 0.0, 2.0};
 constexpr DeviceMarks kUsableMarks{3.0, 1.0, 1e-3, session::kUsableDelayTicks};

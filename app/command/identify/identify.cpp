@@ -27,7 +27,7 @@ constexpr std::chrono::seconds kTimeToLetGo{3};
 
 struct IdentifyRun {
   const Scene& scene;                        // one axis without hand and walls
-  session::IdentifyExperiment& experiment;   // its rate, limit and encoder are those of the scene
+  session::IdentifyExperiment& experiment;   // with the rate, limit and encoder of the scene
   std::unique_ptr<device::Device> device{};  // not open yet; nullptr: the simulator
   bool allow_no_realtime = false;
   bool allow_slow_device = false;
@@ -135,7 +135,7 @@ Result<int> report(const IdentifyOptions& options, const table::IdentifiedBy& by
   return 0;
 }
 
-// A device file may be replaced: by what is found with it.
+// A device file may be replaced by the file of the numbers found with it.
 std::string library_of(const IdentifyOptions& options) {
   return names_device_plugin(options.scene.device) ? file_of_device(options.scene.device) : "";
 }

@@ -130,7 +130,7 @@ void tell_notes(const ReplayCommand& command, const file::RecordingInfo& info) {
 
 struct Outcome {
   RunSummary summary;
-  double end_s = 0.0;      // in the session's time
+  double end_s = 0.0;      // session time
   std::string comparison;  // an extra line after a re-run; else empty
   bool stopped_early = false;
 };
@@ -189,7 +189,7 @@ std::string table_of(const Scene& scene, const Outcome& outcome) {
   return summary_lines(outcome.summary, {"", hand_moves}) + outcome.comparison;
 }
 
-// A re-run has signals if its recording has some: those of its own algorithm.
+// A re-run records the signals of its own algorithm if the recording has signals.
 file::CsvColumns columns_of(const ReplayCommand& command, const file::RecordingInfo& info,
                             const file::LoadedScene& loaded) {
   file::CsvColumns columns = info.scanned.columns;

@@ -22,7 +22,7 @@ struct SummaryField {
 // The keys of kSummaryKeys, for every axis. Keys of axis y have the prefix y_; those that the axes
 // share appear once, and those of a session only if the run was one.
 [[nodiscard]] std::vector<SummaryField> summary_fields(const RunSummary& run);
-// Every key that the summary of so many axes can have, with a value of its type, or with none.
+// Every key that the summary of this many axes can have, with a value of its type or null.
 [[nodiscard]] std::vector<SummaryField> all_summary_fields(std::size_t axes = 2);
 
 // Message for a key that does not exist; suggests the nearest one or lists all.

@@ -40,7 +40,7 @@ std::string heading(const Summary& summary) {
                      file::verdict_text(summary));
 }
 
-// The best value of a column; the other columns have none.
+// Rule for the best value of a column; kNone: the column has no best value.
 enum class Best : std::uint8_t {
   kNone,
   kSmallest,         // among the runs that did not diverge

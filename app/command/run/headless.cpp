@@ -9,7 +9,7 @@
 namespace hapticwall::command {
 namespace {
 
-// About the ticks between two calls of should_stop(); only for the progress bar.
+// Approximate number of ticks between two calls of should_stop(); serves the progress bar.
 constexpr double kTicksPerQuestion = 1024.0;
 
 }  // namespace

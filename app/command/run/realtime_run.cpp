@@ -50,7 +50,7 @@ std::string status_text(const session::LiveSession& session, const session::Snap
   return text;
 }
 
-// Takes what the loop has produced.
+// Forwards the ticks that the loop has produced.
 class TickTaker {
  public:
   TickTaker(const Scene& scene, bool has_truth)
@@ -89,7 +89,7 @@ Failure device_trouble(const session::LiveSession& session, double since_s, std:
                                   session.device_info().name, why, since_s));
 }
 
-// The pause after the last tick is no trouble, and a handle inside the wall may come out.
+// The pause after the last tick is no fault, and a handle inside the wall may come out.
 bool was_disarmed(const session::ArmingStatus& arming) {
   return (arming.asked > 0 || arming.note == session::ArmingNote::kUnaskedForce) &&
          arming.state == session::ArmingState::kOff &&

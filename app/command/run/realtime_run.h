@@ -43,9 +43,9 @@ struct RealtimeRun {
 
 struct RealtimeOutcome {
   RunSummary summary;
-  std::string status;  // of the real-time loop, in words
+  std::string status;  // status of the real-time loop, in words
   bool stopped_early = false;
-  Failure trouble;  // that ended it early
+  Failure trouble;  // the failure that ended the run early
   Failure recording_failure;
 };
 

@@ -131,7 +131,7 @@ int end_early(const RunOutcome& outcome, const Scene& scene, const std::string& 
                                  csv.empty() ? "" : "; " + file::shown(csv) + " holds these"));
 }
 
-// Nothing for a session that ended early: it has no verdict.
+// A session that ended early has no verdict, so its table is empty.
 std::string table_of(const Scene& scene, const RunOutcome& outcome) {
   if (outcome.trouble) return "";
   const RunSummary& summary = outcome.summary;

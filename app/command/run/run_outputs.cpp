@@ -67,7 +67,7 @@ Result<RunOutputs> RunOutputs::open(const OutputOptions& options, const file::Lo
   return outputs;
 }
 
-// Last, because it cannot be undone where somebody reads.
+// Opened last, because a stream that somebody reads cannot be undone.
 Failure RunOutputs::open_stream(const OutputOptions& options, const TickOrigin& origin) {
   const Result<bool> only = only_streams(options);
   if (!only) return only.error();

@@ -25,7 +25,7 @@ inline constexpr double kMaxSoundS = 600.0;
 // Source of the ticks of a run.
 struct TickOrigin {
   bool session_records = false;  // a session writes the CSV
-  bool in_real_time = false;     // a session streams
+  bool in_real_time = false;     // true: a session streams; false: a headless run
   file::CsvColumns columns;
 };
 
@@ -50,8 +50,8 @@ class RunOutputs {
   [[nodiscard]] const Failure& failure() const { return failure_; }
   void keep_failure(Failure failure) { failure_ = std::move(failure); }
 
-  // Passes on what is streamed so far. True if only the stream was asked for, and its reader has
-  // left: the run may end.
+  // Writes what is buffered for the stream. Returns true if the stream is the only output and its
+  // reader has left: the run may end.
   [[nodiscard]] bool reader_left() const;
 
   // Finishes the recording, also of a run that ended early.
@@ -59,8 +59,8 @@ class RunOutputs {
                         const RunSummary& summary);
   // Ends the stream; returns the samples that were lost, nullopt without --stream.
   [[nodiscard]] std::optional<std::uint64_t> end_stream();
-  // end_stream(), writes JSON, figure and sound, and prints JSON or `table`. Fails with the first
-  // failure, that of the recording included.
+  // Calls end_stream(), writes JSON, figure and sound, and prints JSON or `table`. Returns the
+  // first failure, that of the recording included.
   [[nodiscard]] Failure finish(const Scene& scene, const RunSummary& summary, std::string table);
 
  private:
@@ -73,7 +73,7 @@ class RunOutputs {
   std::uint64_t first_recorded_tick_ = 0;
   OutputFiles files_;
   std::shared_ptr<file::SampleStream> stream_;
-  bool only_streams_ = false;                          // nothing but the stream was asked for
+  bool only_streams_ = false;                          // the stream is the only output
   std::optional<file::StreamFeed> feed_;               // only if the run is not in real time
   std::array<std::vector<Sample>, kMaxAxes> samples_;  // samples of the figure, by axis
   std::optional<sound::SoundStream> sound_;

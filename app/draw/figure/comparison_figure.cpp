@@ -24,7 +24,7 @@ constexpr int kFigureWidth = 2400;  // pixels, of up to kUsualRuns columns
 constexpr int kFigureHeight = 1400;
 constexpr std::size_t kUsualRuns = 8;
 constexpr int kColumnWidth = 290;               // pixels for each column above kUsualRuns
-constexpr float kComparisonDesignHeight = 900;  // figure of scale 1
+constexpr float kComparisonDesignHeight = 900;  // px, at figure scale 1
 constexpr float kComparisonLineWeight = 1.1F;
 constexpr float kFigureColumnGapEms = 1.0F;
 
@@ -41,7 +41,7 @@ struct Comparison {
   const Scene& scene;
   std::span<const ComparedRun> runs;
   PlotSurface surface;
-  // Beside the first column; known after a frame.
+  // Widths of the labels beside the first column; known after one frame.
   std::array<float, kAllPlots.size()> label_widths{};
 };
 
@@ -105,7 +105,8 @@ std::array<std::string, 2> tail_lines(const Summary& summary, bool stretches) {
 void draw_run_heading(const Theme& theme, const Comparison& comparison, const ComparedRun& run) {
   const Summary& summary = run.summary;
   ImGui::BeginGroup();
-  // The name ends at a space. The title tells the follower of all runs; the form is "(held-force)".
+  // A column's name ends at the first space. The figure's title names the follower of all runs, as
+  // "(held-force)".
   strong_text(theme, summary.algorithm.substr(0, summary.algorithm.find(' ')));
   const std::string form =
       summary.algorithm.substr(std::min(summary.algorithm.find('('), summary.algorithm.size()));
@@ -121,9 +122,9 @@ void draw_run_heading(const Theme& theme, const Comparison& comparison, const Co
 
 // Places of the columns.
 struct Columns {
-  float left = 0.0F;   // of the first column's plot area, without ImPlot's padding
-  float width = 0.0F;  // of each column
-  float step = 0.0F;   // from one column to the next
+  float left = 0.0F;   // left edge of the first column's plot area, without ImPlot's padding
+  float width = 0.0F;  // width of each column
+  float step = 0.0F;   // distance from one column to the next
 
   [[nodiscard]] float at(std::size_t column) const {
     return left + step * static_cast<float>(column);

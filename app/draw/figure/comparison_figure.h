@@ -14,7 +14,7 @@
 
 namespace hapticwall::draw {
 
-// One algorithm of a comparison: of a scene with two axes, axis x.
+// One algorithm of a comparison; axis x of a scene with two axes.
 struct ComparedRun {
   Summary summary;
   SampleHistory history;
@@ -26,8 +26,8 @@ inline constexpr std::size_t kMaxComparedRuns = 16;
 // The size of a page with readable columns for so many runs.
 [[nodiscard]] FigureSize comparison_size(std::size_t runs);
 
-// The columns stand in the order of `runs`. `scene` is the one of all runs; of its algorithm only
-// the follower counts. A diverged run does not stretch the axes unless all diverged. Fails like
+// Draws a column a run, in the order of `runs`. All runs share `scene`; its algorithm is ignored
+// except for the follower. A diverged run does not stretch the axes unless all diverged. Fails like
 // draw_page().
 [[nodiscard]] Result<file::Picture> draw_comparison(const Scene& scene,
                                                     std::span<const ComparedRun> runs,

@@ -17,9 +17,9 @@
 namespace hapticwall::draw {
 namespace {
 
-constexpr float kFigureDesignHeight = 880.0F;  // figure of scale 1
+constexpr float kFigureDesignHeight = 880.0F;  // px, at figure scale 1
 constexpr float kPrintLineWeight = 1.2F;
-constexpr float kPhaseShare = 0.38F;  // of the width, for the force over the penetration
+constexpr float kPhaseShare = 0.38F;  // share of the width for the plot of force over penetration
 
 void draw_title(const Theme& theme, const Scene& scene) {
   const auto list = algorithms();
@@ -40,7 +40,7 @@ void draw_plots(PlotSurface& surface, std::span<const PlotId> plots, ImVec2 free
   const auto count = static_cast<float>(plots.size());
   const ImVec2 each(free.x, (free.y - (count - 1.0F) * gap) / count);
   const PlotTable table(surface.history->signals());
-  ImPlot::BeginAlignedPlots("plots");  // one left and one right margin
+  ImPlot::BeginAlignedPlots("plots");  // gives all plots one left and one right margin
   for (std::size_t i = 0; i < plots.size(); ++i) {
     const std::string mark = fmt::format("({}) ", static_cast<char>('a' + i));
     surface.time_labels = i + 1 == plots.size();

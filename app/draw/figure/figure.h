@@ -39,11 +39,11 @@ struct FigureSize {
 // The part of a history that a figure shows, and how.
 struct FigureView {
   TimeWindow window;
-  std::span<const PlotId> plots;  // from top to bottom
+  std::span<const PlotId> plots;  // plots from top to bottom
   ChosenLines lines = usual_lines();
   HiddenLines hidden = 0;
-  AllPlotAxes axes;               // as the user has set them
-  std::vector<BoundLine> bounds;  // of the stiffness plot
+  AllPlotAxes axes;               // axes as the user has set them
+  std::vector<BoundLine> bounds;  // bounds in the stiffness plot
   std::vector<ExtraTrace> extra_traces;
   PlotMarks marks;
   PhaseSettings phase;  // a shown plane stands beside the plots

@@ -49,7 +49,7 @@ cairo_font_face_t* open_font(const ImFontConfig& source) {
   return face;
 }
 
-// Dear ImGui's size is that of a line, cairo's that of an em.
+// Dear ImGui measures a font by its line height, cairo by its em.
 double em_of(const FontFile& file, float size) {
   const FT_Face face = file.face();
   return static_cast<double>(size) * face->units_per_EM / (face->ascender - face->descender);

@@ -18,7 +18,7 @@ void set_colour(cairo_t* page, ImU32 colour);
 // The glyphs of one line of text in one font, size and colour become one piece of text.
 class TextRuns {
  public:
-  // `page` gets the text. The fonts are those of the current context of Dear ImGui.
+  // `page` receives the text. Fonts are those of the current context of Dear ImGui.
   explicit TextRuns(cairo_t* page);
   TextRuns(const TextRuns&) = delete;
   TextRuns& operator=(const TextRuns&) = delete;
@@ -48,7 +48,8 @@ class TextRuns {
   [[nodiscard]] cairo_font_face_t* face_of(const ImFont& font);
 
   cairo_t* page_;
-  std::map<std::pair<float, float>, Source> sources_;  // by the glyph's corner in the texture
+  // Sources by the corner of the glyph in the texture.
+  std::map<std::pair<float, float>, Source> sources_;
   std::map<const ImFont*, cairo_font_face_t*> faces_;
   Place last_;
   std::string text_;

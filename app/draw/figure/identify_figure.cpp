@@ -13,7 +13,7 @@
 namespace hapticwall::draw {
 namespace {
 
-constexpr float kIdentifyDesignWidth = 1200.0F;  // figure of scale 1
+constexpr float kIdentifyDesignWidth = 1200.0F;  // px, at figure scale 1
 constexpr float kIdentifyDesignHeight = 900.0F;
 constexpr double kShownS = 4.0;
 

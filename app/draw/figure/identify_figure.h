@@ -34,7 +34,7 @@ struct FigurePanel {
 // The curve with at most 2 * `columns` points: the smallest and the largest value of each part.
 // Precondition: columns > 0.
 [[nodiscard]] FigureCurve thinned(FigureCurve curve, std::size_t columns);
-// One below the other, in the current window.
+// Draws the panels one below the other, in the current window.
 void draw_panels(const Theme& theme, std::span<const FigurePanel> panels, ImVec2 size);
 
 inline constexpr FigureSize kIdentificationSize{1600, 1200};

@@ -23,7 +23,7 @@ constexpr float kBelowPlotEms = 4.0F;  // labels and title of the axis across
 constexpr ImU32 kSettled = IM_COL32(203, 226, 222, 255);
 constexpr ImU32 kBuzzing = IM_COL32(176, 160, 214, 255);
 constexpr ImU32 kDiverged = IM_COL32(52, 42, 48, 255);
-// From the smallest oscillation to the largest.
+// Colours from the smallest oscillation to the largest.
 constexpr std::array<ImVec4, 4> kHot{{{0.99F, 0.88F, 0.55F, 1.0F},
                                       {0.96F, 0.62F, 0.28F, 1.0F},
                                       {0.83F, 0.29F, 0.22F, 1.0F},
@@ -90,7 +90,7 @@ void draw_bounds(const StabilityMap& map, std::span<const BoundLines> bounds, fl
   }
 }
 
-// Key and unit, with the dimensionless range where there is room, or the unit alone.
+// Key and unit of an axis, with the dimensionless range if it fits; else the unit alone.
 std::string axis_title(const Scene& scene, const MapAxis& axis, const MapAxis& other, float room) {
   const auto fits = [&](const std::string& text) {
     return ImGui::CalcTextSize(text.c_str()).x <= room;
@@ -155,13 +155,13 @@ MapFieldArea draw_field(const Theme& theme, const MapContents& contents, std::si
   return area;
 }
 
-// A new line where the key does not fit beside the one before.
+// Starts a new line if the key does not fit beside the previous one.
 void begin_key(float width) {
   const bool first = ImGui::GetCursorPosX() <= ImGui::GetCursorStartPos().x;
   if (!first && ImGui::GetContentRegionAvail().x < width) ImGui::NewLine();
 }
 
-// A box of a colour, or a line of a weight, and what it stands for; the next item stands beside it.
+// A box of a colour, or a line of a weight, and its meaning; the next item stands beside it.
 void draw_key(ImU32 colour, const char* text, float line_weight = 0.0F) {
   const float side = ImGui::GetFontSize();
   begin_key(2.0F * side + ImGui::CalcTextSize(text).x);

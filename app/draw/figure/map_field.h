@@ -37,7 +37,7 @@ struct MapContents {
   const StabilityMap& map;
   std::span<const MapMetrics> figures;  // metrics of all cells
   std::span<const BoundLines> bounds;
-  float scale;  // of the lines
+  float scale;  // scale of the lines
 };
 
 // The cells of a field, in pixels: of equal size, the last y at the top. Size 0: no room.

@@ -11,7 +11,7 @@
 namespace hapticwall::draw {
 namespace {
 
-constexpr float kMapDesignHeight = 1000.0F;  // figure of scale 1
+constexpr float kMapDesignHeight = 1000.0F;  // px, at figure scale 1
 
 void draw_contents(const Theme& theme, const MapContents& contents) {
   const StabilityMap& map = contents.map;

@@ -10,7 +10,7 @@
 
 namespace hapticwall::draw {
 
-// `figures`: of all cells of the map. Fails as draw_page() does.
+// `figures`: metrics of all cells of the map. Fails like draw_page().
 [[nodiscard]] Result<file::Picture> draw_map(const StabilityMap& map,
                                              std::span<const MapMetrics> figures,
                                              FigureSize size = {});

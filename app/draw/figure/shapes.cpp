@@ -95,7 +95,8 @@ bool ShapeWriter::draw(const ImDrawList& list, const ImDrawCmd& command) {
 }
 
 bool ShapeWriter::draw_shape(std::span<const ImDrawVert> corners) {
-  const bool is_blank = place_of(corners.front()) == place_of(corners[2]);  // for upright text
+  // For upright text: a blank has no area.
+  const bool is_blank = place_of(corners.front()) == place_of(corners[2]);
   if (is_blank || (corners.front().col & IM_COL32_A_MASK) == 0) return true;
   const ImVec2 plain = ImGui::GetFontTexUvWhitePixel();
   if (corners.front().uv.x != plain.x || corners.front().uv.y != plain.y) {

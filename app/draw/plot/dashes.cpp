@@ -82,7 +82,7 @@ class Cone {
  public:
   explicit Cone(ImVec2 tip) : tip_(tip) {}
 
-  // Goes on to `point`, which reaches() has accepted; `tip` itself is the first.
+  // Continues to `point`, which reaches() has accepted; `tip` itself is the first.
   void take(ImVec2 point) {
     way_ = way_to(point);
     const float squared = dot(way_, way_);
@@ -94,7 +94,7 @@ class Cone {
     if (open_ || cross(high_, high) < 0.0F) high_ = high;
     open_ = false;
   }
-  // Straight on, as far as the newest follower at least. Never a gap.
+  // Continues straight at least as far as the newest follower. Never makes a gap.
   [[nodiscard]] bool reaches(ImVec2 point) const {
     const ImVec2 way = way_to(point);
     return dot(way, way_) >= dot(way_, way_) &&
@@ -107,7 +107,7 @@ class Cone {
   [[nodiscard]] ImVec2 way_to(ImVec2 point) const { return {point.x - tip_.x, point.y - tip_.y}; }
 
   ImVec2 tip_;
-  ImVec2 way_;  // to the newest follower
+  ImVec2 way_;  // path to the newest follower
   ImVec2 low_;
   ImVec2 high_;
   bool open_ = true;  // all directions

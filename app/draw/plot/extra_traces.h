@@ -18,7 +18,7 @@ struct PlotSurface;
 // The owner of a trace; each replaces only its own.
 enum class ExtraSource : std::uint8_t { kReplay, kComparison };
 
-// The lines of such a run; a plot draws those whose quantity it draws of the session.
+// Lines of one such run. A plot draws the lines whose quantity it also draws for the session.
 inline constexpr LineSet kExtraLines = line_bit(&Sample::position_m) | line_bit(&Sample::force_n) |
                                        line_bit(Derived::kStiffness) |
                                        line_bit(&Sample::energy_cv_j);
@@ -27,7 +27,7 @@ struct ExtraTrace {
   ExtraSource source = ExtraSource::kComparison;
   std::string label;                             // for the legend: "under virtual-coupling"
   std::shared_ptr<const SampleHistory> history;  // null or empty: nothing is drawn
-  std::optional<Tone> tone;                      // of all its lines; nullopt: each has its own
+  std::optional<Tone> tone;                      // tone of all its lines; nullopt: each has its own
   float strength = 0.5F;                         // 0: colour of the background, 1: of a line
   double shift_s = 0.0;                          // plot time of the trace's time 0
   LineSet lines = kExtraLines;
@@ -41,7 +41,7 @@ void replace_extra_traces(std::vector<ExtraTrace>& all, ExtraSource source,
 [[nodiscard]] bool is_drawn(const PlotSurface& surface, const PlotDescription& plot,
                             const ExtraTrace& trace);
 
-// Their extremes of a line within the window, in SI units; nullopt if no trace has it.
+// Extremes of a line over all traces within the window, in SI units; nullopt if no trace has it.
 [[nodiscard]] std::optional<Extremes> extra_extremes(const PlotSurface& surface,
                                                      const PlotLine& line);
 

@@ -29,7 +29,7 @@ struct LogSeries {
   Tone tone = Tone::kText;
   Mark mark = Mark::kCircle;
   float radius = 1.0F;           // radius of the marks, as a multiple of the usual one
-  bool labels_above = true;      // true: above, where there is room
+  bool labels_above = true;      // true: labels stand above the marks where there is room
   std::vector<LogPoint> points;  // joined in this order
 };
 
@@ -45,8 +45,8 @@ struct LogPlot {
 // Plots side by side, with the same series, below a heading and a legend.
 struct LogFigure {
   std::string title;
-  std::string subject;  // beside the title
-  std::string note;     // below it
+  std::string subject;  // text beside the title
+  std::string note;     // text below the title
   std::string hollow;   // meaning of a hollow mark
   std::string labels;   // meaning of the labels
   std::string missing;  // names points that no plot shows; may be empty
@@ -72,7 +72,7 @@ struct AxisNumber {
 // Draws heading, plot and the title of the x axis into `size`.
 void draw_log_plot(const Theme& theme, const LogPlot& plot, ImVec2 size, float scale);
 
-// The mark of a series in a line of text; the next item stands beside it.
+// The mark of a series within a line of text; the next item stands beside it.
 void draw_legend_mark(const Theme& theme, Tone tone, Mark mark, bool filled);
 
 // Draws legend and plots into `size`. `scale`: of lines and marks.

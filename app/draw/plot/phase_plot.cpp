@@ -229,7 +229,7 @@ PlotArea draw_phase_plot(const PlotSurface& surface, PhaseSettings& settings, Ph
   view.penetration.fit(round_range(
       extremes_of(view.path, view.path.penetration_m, kMillimetresPerMetre), kMinSpanMm));
   view.force.fit(round_range(extremes_of(view.path, view.path.force_n, 1.0), kMinSpanN));
-  ImGui::BeginGroup();  // its rows begin where the first one does
+  ImGui::BeginGroup();  // starts all rows at the x of the first row
   const float top = ImGui::GetCursorPosY();
   draw_heading(surface, settings, view, range.count() < kMaxPhaseSamples);
   const float height = std::max(1.0F, size.y - (ImGui::GetCursorPosY() - top));

@@ -62,8 +62,8 @@ struct PhaseView {
   PhasePath path;
   std::vector<PixelSpan> rows;
   std::vector<PixelSpan> columns;
-  double energy_j = 0.0;    // of the drawn path
-  std::size_t samples = 0;  // of the drawn path
+  double energy_j = 0.0;    // energy of the drawn path
+  std::size_t samples = 0;  // number of samples of the drawn path
 };
 
 // Draws heading, controls and the plane into `size`.

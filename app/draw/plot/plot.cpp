@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kMinTimeAxisS = 1e-4;
 constexpr double kMaxTimeAxisS = 1e6;
-constexpr float kDimStrength = 0.4F;  // for a band that must not cover others
+constexpr float kDimStrength = 0.4F;  // opacity of a band that must not cover others
 
 bool has_axis(const PlotSurface& surface, const PlotDescription& plot, Side side) {
   return std::any_of(plot.lines.begin(), plot.lines.end(), [&](const PlotLine& line) {
@@ -30,7 +30,7 @@ bool shows_positions(const PlotSurface& surface, const PlotDescription& plot) {
   });
 }
 
-// The extremes of the drawn lines that are a wish, or that are none.
+// Extremes of the drawn lines: of desired values if `wish`, else of all other lines.
 std::optional<Extremes> line_values(const PlotSurface& surface, const PlotDescription& plot,
                                     IndexRange range, Side side, bool wish) {
   std::optional<Extremes> all;
@@ -47,7 +47,8 @@ std::optional<Extremes> line_values(const PlotSurface& surface, const PlotDescri
 // The force axis always shows what the actuator can do in the direction of the forces, with room
 // for the label of the limit.
 void include_limit(const PlotSurface& surface, Extremes& values) {
-  constexpr double kPullShare = 0.05;  // share of the limit: a smaller force is no pull
+  // Share of the force limit; a smaller force does not count as a pull.
+  constexpr double kPullShare = 0.05;
   constexpr double kRoom = 1.15;
   const double limit_n = surface.device.force_limit_n.value_or(0.0);
   const bool pulls = values.minimum < -kPullShare * limit_n;

@@ -1,4 +1,4 @@
-// The four plots of a session, one at a time: the live window and the printed figure draw the same.
+// The four plots of a session. The live window and the printed figure draw them with the same code.
 #pragma once
 
 #include <imgui.h>
@@ -68,17 +68,17 @@ struct PlotSurface {
   PlotScratch* scratch = nullptr;
   Cursors* cursors = nullptr;                // null: none
   std::optional<double> contact_s;           // the contact that the trigger shows
-  std::vector<BoundLine> bounds;             // of the stiffness plot
-  DeviceSettings device;                     // its count and its force limit
-  std::span<const ExtraTrace> extra_traces;  // of other runs
-  PlotMarks marks;                           // of recordings
+  std::vector<BoundLine> bounds;             // bounds in the stiffness plot
+  DeviceSettings device;                     // supplies encoder count and force limit
+  std::span<const ExtraTrace> extra_traces;  // traces of other runs
+  PlotMarks marks;                           // marks of recordings
   bool* show_bounds = nullptr;               // null: no choice; always shown
   bool simulated = true;                     // false: the plant's truth is unknown
   bool interactive = true;
-  bool time_labels = true;   // below the plot
-  bool value_labels = true;  // beside it
-  bool heading = true;       // above it
-  bool line_names = true;    // at the ends of the lines
+  bool time_labels = true;   // shown below the plot
+  bool value_labels = true;  // shown beside the plot
+  bool heading = true;       // shown above the plot
+  bool line_names = true;    // shown at the ends of the lines
   float line_weight = kLineWeight;
   bool wants_newest = false;        // set when the user asks for the automatic time axis
   std::optional<double> pointed_s;  // set to the time under the pointer

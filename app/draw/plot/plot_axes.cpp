@@ -45,7 +45,7 @@ void ValueAxis::notice_input(ImAxis id) {
 
 Extremes round_range(Extremes data, double smallest_span) {
   constexpr double kMargin = 0.05;  // share of the span, on either side
-  constexpr double kSteps = 16.0;   // about as many steps as the span has
+  constexpr double kSteps = 16.0;   // approximate number of steps over the span
   const double middle = 0.5 * (data.minimum + data.maximum);
   const double span = std::max(data.maximum - data.minimum, smallest_span) * (1.0 + 2.0 * kMargin);
   const double power = std::pow(10.0, std::floor(std::log10(span / kSteps)));
@@ -59,7 +59,7 @@ Extremes round_range(Extremes data, double smallest_span) {
 
 int format_time(double value, char* text, int size, void* length_s) {
   const double length = *static_cast<const double*>(length_s);
-  // About ten ticks to the length; one more digit tells them apart.
+  // The axis has about ten ticks; one more digit distinguishes their labels.
   constexpr int kMaxDigits = 9;
   const int digits =
       std::clamp(static_cast<int>(std::ceil(1.0 - std::log10(length))), 0, kMaxDigits);

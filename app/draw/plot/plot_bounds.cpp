@@ -13,7 +13,7 @@ namespace {
 
 constexpr float kBoundLineWeight = 1.0F;
 
-// Above and below the line, from right to left.
+// Looks for a place above and below the line, from right to left.
 std::optional<ImVec2> label_place(PlotInk& ink, const PixelBox& area, float y, ImVec2 size) {
   constexpr int kTries = 16;
   const float gap = 0.3F * ImGui::GetFontSize();

@@ -18,8 +18,8 @@ struct BoundLine {
 // The bounds of the scene without the rule of thumb, the softest first; equal ones share a line.
 [[nodiscard]] std::vector<BoundLine> bound_lines(const StabilityBounds& bounds);
 
-// Draws those within the value axis of the current plot, whose unit is `scale` times SI: thin, with
-// labels beside them where nothing else is, as far to the right as possible.
+// Draws the bounds within the value axis of the current plot, whose unit is `scale` times SI. Lines
+// are thin; labels stand in a free place, as far to the right as possible.
 void draw_bounds(const Theme& theme, const std::vector<BoundLine>& bounds, double scale,
                  PlotInk& ink);
 

@@ -12,7 +12,7 @@
 namespace hapticwall::draw {
 namespace {
 
-constexpr std::array kShares{1.0 / 3.0, 2.0 / 3.0};  // of the window
+constexpr std::array kShares{1.0 / 3.0, 2.0 / 3.0};  // positions as shares of the window
 
 // Digits of constant width, flush right.
 void number_cell(const std::string& text) {

@@ -38,7 +38,7 @@ struct CursorRow {
 };
 
 struct CursorTable {
-  std::array<double, 2> time_s{};  // of the samples nearest to the cursors
+  std::array<double, 2> time_s{};  // times of the samples nearest to the cursors
   std::vector<CursorRow> rows;     // empty without samples
   double energy_j = 0.0;           // ∫ F_d dx by the encoder: from the handle to the actuator
 

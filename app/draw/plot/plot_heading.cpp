@@ -9,12 +9,12 @@ namespace hapticwall::draw {
 namespace {
 
 constexpr float kDashEms = 1.2F;      // a legend entry's piece of line
-constexpr float kDashWeight = 0.17F;  // of the text's size
+constexpr float kDashWeight = 0.17F;  // share of the text size
 constexpr float kDashShare = 0.6F;    // relative to the plot: the piece has more than one dash
 constexpr float kExtraDashWeight = 0.36F;
 constexpr float kHeadingNameEms = 1.5F;  // start of the entry's name
-constexpr float kEntryGapEms = 0.6F;     // between two entries
-constexpr float kEntryTailEms = 0.2F;    // behind its name
+constexpr float kEntryGapEms = 0.6F;     // gap between two entries
+constexpr float kEntryTailEms = 0.2F;    // gap behind the name of an entry
 
 // An axis on the right has no heading, so its unit is in the legend.
 std::string entry_text(const PlotDescription& plot, const PlotLine& line) {
@@ -32,9 +32,9 @@ struct LegendEntry {
   ImVec2 corner;
   const std::string& text;
   ImU32 colour;
-  float weight;  // of the piece of line, in sizes of the text
+  float weight;  // weight of the legend's line, in text sizes
   Dash dash;
-  float alpha;  // of the text
+  float alpha;  // opacity of the text
 };
 
 void draw_dash(const PlotSurface& surface, const LegendEntry& entry) {
@@ -65,7 +65,7 @@ void draw_legend_entry(PlotSurface& surface, const PlotDescription& plot, const 
             {corner, text, surface.theme->packed(line.tone, alpha), kDashWeight, line.dash, alpha});
 }
 
-// Legend entry of a trace of another run; it takes no click.
+// Legend entry for a trace of another run; it ignores clicks.
 void draw_extra_entry(PlotSurface& surface, const PlotDescription& plot, const ExtraTrace& trace,
                       ImVec2 corner) {
   const auto line = std::find_if(plot.lines.begin(), plot.lines.end(), [&](const PlotLine& each) {

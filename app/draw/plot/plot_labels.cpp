@@ -6,7 +6,7 @@
 namespace hapticwall::draw {
 namespace {
 
-constexpr float kLabelGapEms = 0.5F;  // between two labels
+constexpr float kLabelGapEms = 0.5F;  // gap between two labels
 
 }  // namespace
 
@@ -15,7 +15,8 @@ void PlotInk::clear() {
   ends.clear();
 }
 
-// Neighbouring pieces share a box while that is hardly higher than they are: a label looks at few.
+// Neighbouring pieces share a box if that box is hardly higher than they are, so that a label is
+// checked against few boxes.
 void PlotInk::take(const PixelBox& box) {
   constexpr float kMaxWidth = 24.0F;
   constexpr float kMaxMore = 4.0F;  // height

@@ -19,7 +19,7 @@ struct PixelBox {
   }
 };
 
-// The end of a line: where its label wants to be.
+// The end of a line, near which its label should stand.
 struct LineEnd {
   const char* label = "";
   ImU32 colour = 0;
@@ -38,8 +38,8 @@ struct PlotInk {
   void take(std::span<const ImVec2> points, float weight);
 };
 
-// The first of `corners` at which a label of this size lies within `area` and on nothing; nullopt
-// if there is none. Takes the place.
+// The first of `corners` at which a label of this size lies within `area` and covers nothing;
+// nullopt if there is none. Marks the place as taken.
 [[nodiscard]] std::optional<ImVec2> take_free_place(PlotInk& ink, const PixelBox& area, ImVec2 size,
                                                     std::span<const ImVec2> corners);
 

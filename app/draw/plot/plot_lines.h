@@ -37,8 +37,8 @@ enum class LineKind : std::uint8_t {
   kSimulator,  // like kExtra, but known to a simulator only
 };
 
-// A plot has up to three axes of values. That on the right is the rate of change of that on the
-// left, and the one beyond it is the rate of change of that.
+// A plot has up to three value axes. The right axis shows the rate of change of the left one; the
+// outermost axis shows the rate of change of the right one.
 enum class Side : std::uint8_t { kLeft, kRight, kFarRight };
 inline constexpr std::array kRightSides{Side::kRight, Side::kFarRight};
 
@@ -46,7 +46,7 @@ inline constexpr std::array kRightSides{Side::kRight, Side::kFarRight};
 struct ValueScale {
   const char* unit = "";
   double scale = 0.0;          // factor from SI values to `unit`
-  double smallest_span = 1.0;  // of the axis, in `unit`
+  double smallest_span = 1.0;  // smallest span of the axis, in `unit`
 };
 
 struct PlotLine {
@@ -95,8 +95,8 @@ struct PlottedLine {
   [[nodiscard]] const ValueScale& scale() const { return plot->scale_of(*line); }
 };
 
-// The plots with all their lines: behind those that are always there, those of algorithms'
-// signals, each in the plot that has its unit. A signal of another unit has no line.
+// All plots with their lines: the built-in ones first, then the algorithms' signals, each in the
+// plot that has its unit. A signal with another unit has no line.
 class PlotTable {
  public:
   explicit PlotTable(const SignalNames& signals = {});

@@ -61,7 +61,7 @@ void place(const TraceSource& source, SignalShape& shape) {
     column = {column.time_s + source.shift_s, clipped(column.low), clipped(column.high)};
 }
 
-// Columns of the same rows are one box: narrow ones are dear to a software renderer.
+// Columns with the same rows become one box, because narrow boxes are slow in a software renderer.
 void draw_band(const std::vector<BandColumn>& band, const TraceStyle& style,
                const PlotPixels& pixels, PlotInk& ink) {
   if (band.empty() || style.band_strength == 0.0F) return;

@@ -32,7 +32,7 @@ struct TraceStyle {
   // bold.
   double faint_height = 1.0;
   float band_strength = 1.0F;   // 0: no band
-  const char* label = nullptr;  // at the line's end; null: none
+  const char* label = nullptr;  // label at the line's end; null: none
 };
 
 // Memory for the traces of one plot. `ink` grows with each trace; everything else is scratch.
@@ -45,7 +45,7 @@ struct PlotScratch {
 // The share of the colour in a band of this height.
 [[nodiscard]] float band_alpha(double height, double faint_height);
 
-// Draws the band of the signal's extremes where it oscillates, and its line.
+// Draws the signal's line and, where it oscillates, the band of its extremes.
 void draw_trace(const TraceSource& source, const TraceStyle& style, ImAxis value_axis,
                 PlotScratch& scratch);
 

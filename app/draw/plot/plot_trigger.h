@@ -1,4 +1,4 @@
-// The trigger: a time window that stands still at the newest contact, as on an oscilloscope.
+// The trigger holds the time window at the newest contact, as on an oscilloscope.
 #pragma once
 
 #include <cstdint>
@@ -17,9 +17,9 @@ struct TimeWindow {
 
 enum class TriggerMode : std::uint8_t {
   kOff,     // the window follows the newest samples
-  kAuto,    // at the newest contact; without one, the newest samples
-  kNormal,  // at the newest contact until the next one
-  kSingle,  // at the next contact for good
+  kAuto,    // shows the newest contact; without one, the newest samples
+  kNormal,  // shows the newest contact until the next one
+  kSingle,  // shows the next contact, then stops
 };
 
 struct TriggerSettings {
@@ -28,7 +28,7 @@ struct TriggerSettings {
 };
 
 enum class TriggerStage : std::uint8_t {
-  kWaiting,  // for a contact
+  kWaiting,  // waits for a contact
   kFilling,  // the window of a contact is not full yet
   kShown,    // the window is full; the next contact replaces it
   kDone,     // the window is full and stays (kSingle)
@@ -37,7 +37,7 @@ enum class TriggerStage : std::uint8_t {
 // The state of the trigger between frames.
 struct Trigger {
   TriggerStage stage = TriggerStage::kWaiting;
-  std::optional<double> contact_s;  // the one that the window shows
+  std::optional<double> contact_s;  // the contact that the window shows
   std::optional<double> after_s;    // a contact must be later than this
 };
 

@@ -65,7 +65,7 @@ struct IndexRange {
 // Some neighbouring samples that are drawn as one.
 struct SampleGroup {
   double time_s = 0.0;  // time of its middle
-  double first = 0.0;   // its oldest value
+  double first = 0.0;   // oldest value of the group
   SampleStats stats;
 };
 

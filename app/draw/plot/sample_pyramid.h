@@ -230,7 +230,7 @@ std::optional<std::uint64_t> SamplePyramid::newest(std::uint64_t first, std::uin
     } else if (level == 0) {
       return last - 1;
     } else {
-      highest = level - 1;  // it is in this block
+      highest = level - 1;  // the sample is in this block
     }
   }
   return std::nullopt;

@@ -18,7 +18,7 @@ void clear(SignalShape& shape) {
   shape.line_end.clear();
 }
 
-// Groups, strokes and the way that the strokes go. A gap is no way.
+// Makes groups and strokes, and sums the travel of the strokes. A gap has no travel.
 void collect(const SampleHistory& history, Quantity quantity, IndexRange range, std::size_t columns,
              double scale, SignalShape& shape) {
   double travelled = 0.0;
@@ -42,7 +42,7 @@ struct Window {
   std::size_t last = 0;
 };
 
-// Two runs of a power of two cover any window: a look at one costs the same for any reach.
+// Two runs of a power of two cover any window, so a lookup costs the same for any reach.
 void find_extremes(SignalShape& shape, std::size_t reach) {
   const std::size_t count = shape.groups.size();
   const auto levels = static_cast<std::size_t>(std::bit_width(2 * reach + 1));
@@ -107,7 +107,7 @@ void shape_signal(const SampleHistory& history, Quantity quantity, IndexRange ra
   const auto around = [&](std::size_t i, std::size_t groups) {
     return Window{i - std::min(i, groups), i, std::min(i + groups, count - 1)};
   };
-  // Near its ends, the signal goes on as a reach away from them.
+  // Near its ends, the signal is treated as it is one reach away from them.
   const std::size_t room = std::min(reach, (std::max<std::size_t>(count, 1) - 1) / 2);
   bool in_band = false;
   for (std::size_t i = 0; i < count; ++i) {

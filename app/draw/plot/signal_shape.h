@@ -1,4 +1,4 @@
-// A signal as it is drawn: its line; where it oscillates within a few pixels, its mean line over
+// Shape of a drawn signal: its line; where it oscillates within a few pixels, its mean line over
 // the band of its extremes.
 #pragma once
 
@@ -9,13 +9,13 @@
 
 namespace hapticwall::draw {
 
-// The mean of an oscillation is that of so many columns of pixels on either side, its extremes are
-// those of half as many: a cycle of a few pixels gives an even band.
+// Reach in columns of pixels to either side over which an oscillation's mean is taken; its extremes
+// use half the reach. A cycle of a few pixels then gives an even band.
 inline constexpr double kBandReach = 8.0;
-// The signal oscillates where it goes so many times up or down through its range within that
-// reach: a cycle of up to five pixels is a band, a longer one a line.
+// Minimum travel within the reach, in multiples of the signal's range, that counts as oscillation.
+// A cycle of up to five pixels becomes a band, a longer one a line.
 inline constexpr double kBandTravel = 4.0;
-// A band ends only below this, so that a cycle in between is not now the one and now the other.
+// A band ends only below this travel; the hysteresis keeps a cycle in between from alternating.
 inline constexpr double kKeptTravel = 3.0;
 
 struct BandColumn {
@@ -26,7 +26,7 @@ struct BandColumn {
 
 struct SignalShape {
   Trace line;                    // kMasked: a gap
-  std::vector<BandColumn> band;  // where the signal oscillates, in order of time
+  std::vector<BandColumn> band;  // columns where the signal oscillates, in order of time
   // Scratch memory, by group of samples.
   std::vector<SampleGroup> groups;
   // extremes[n][i] covers 2^n groups from group i on.

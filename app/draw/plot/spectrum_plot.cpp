@@ -10,7 +10,7 @@
 namespace hapticwall::draw {
 namespace {
 
-constexpr double kShownDecades = 4.0;  // below the strongest line
+constexpr double kShownDecades = 4.0;  // decades shown below the strongest line
 constexpr float kSignalEms = 9.0F;
 
 void draw_signal_choice(const PlotSurface& surface, const PlotTable& table,
@@ -101,11 +101,12 @@ PlotArea draw_amplitudes(const PlotSurface& surface, const SpectrumView& view,
 PlotArea draw_spectrum_plot(const PlotSurface& surface, const PlotTable& table,
                             SpectrumSettings& settings, SpectrumView& view, ImVec2 size) {
   ImGui::PushID("spectrum");
-  if (!table.find(settings.quantity)) settings = {settings.shown};  // its column has gone
+  // The column of the quantity has gone.
+  if (!table.find(settings.quantity)) settings = {settings.shown};
   const PlottedLine chosen = *table.find(settings.quantity);
   view.spectrum = spectrum_of(*surface.history, chosen.line->quantity, shown_range(surface));
   view.strongest = strongest_line(view.spectrum);
-  ImGui::BeginGroup();  // its rows begin where the first one does
+  ImGui::BeginGroup();  // starts all rows at the x of the first row
   const float top = ImGui::GetCursorPosY();
   draw_spectrum_heading(surface, table, settings, view, chosen);
   const float height = std::max(1.0F, size.y - (ImGui::GetCursorPosY() - top));

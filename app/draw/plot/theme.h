@@ -18,7 +18,7 @@ enum class Look : std::uint8_t { kScreen, kPrint, kLight };
 struct Fonts {
   ImFont* text = nullptr;
   ImFont* strong = nullptr;
-  ImFont* digits = nullptr;  // of constant width
+  ImFont* digits = nullptr;  // font of digits with constant width
 };
 
 struct Theme {
@@ -39,7 +39,7 @@ struct Theme {
 [[nodiscard]] constexpr ImVec4 with_alpha(const ImVec4& colour, float alpha) {
   return {colour.x, colour.y, colour.z, alpha};
 }
-// Between two colours; share 0 is the first.
+// Interpolates between two colours; share 0 is the first.
 [[nodiscard]] ImVec4 mixed(const ImVec4& first, const ImVec4& second, float share);
 
 inline constexpr float kFontSize = 15.0F;  // pixels at scale 1

@@ -9,7 +9,7 @@
 
 namespace hapticwall::draw {
 
-// Colours by meaning, the same everywhere.
+// Colours by meaning, equal in all plots and pages.
 enum class Tone : std::uint8_t {
   kText,
   kMuted,  // secondary text, axes

@@ -54,9 +54,9 @@ mode_t file_mask() {
   return kUsual;
 }
 
-// Why an older file must not be written, or an empty text. A folder from elsewhere could hold one
-// that leads out of the folder, or whose rows somebody else may still change. `mode` is that of a
-// new file.
+// Reason why an older file must not be overwritten, or an empty text. A folder from elsewhere could
+// hold a link that leads out of the folder, or a file whose rows another process may still change.
+// `mode`: of a new file.
 std::string_view strangeness(const struct stat& status, mode_t mode) {
   if (S_ISLNK(status.st_mode)) return "is a symbolic link";
   if (!S_ISREG(status.st_mode)) return "is not a regular file";
@@ -84,7 +84,7 @@ int open_checked(const char* path, int flags, mode_t mode, std::string_view& str
   return -1;
 }
 
-// A link in /proc leads to an open file: `descriptor` of this process, where it is one's own.
+// A link in /proc leads to an open file: returns its `descriptor` if this process has it open.
 bool leads_to_open_file(const std::filesystem::path& link, std::optional<int>& descriptor) {
   std::error_code failed;
   const auto folder = std::filesystem::canonical(folder_of(link), failed);

@@ -24,7 +24,8 @@ enum class PlaceKind : std::uint8_t { kFile, kFolder, kStream };
 struct OutputPlace {
   std::string path;
   PlaceKind kind = PlaceKind::kFile;  // kFile also for a new file
-  std::optional<int> descriptor;      // of a stream that this process has open, as /dev/stdout
+  // Descriptor of a stream that this process has open, as /dev/stdout.
+  std::optional<int> descriptor;
 };
 
 // A pipe, a device and a link of /proc to an open file are streams: they have no name to replace.
@@ -36,8 +37,8 @@ struct OutputPlace {
 
 struct OwnFile {
   int flags = 0;     // O_WRONLY, O_RDWR, O_APPEND
-  mode_t mode = 0;   // of a new file, before the umask
-  std::string name;  // in messages
+  mode_t mode = 0;   // mode of a new file, before the umask
+  std::string name;  // name in messages
 };
 
 // Creates a file, or opens one of this user, and locks it as long as the descriptor is open.

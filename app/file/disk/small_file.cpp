@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::size_t kFirstBytes = std::size_t{1} << 16U;
 
-// Reads at most one byte more than `max_bytes`. Returns 0, or errno.
+// Reads at most `max_bytes` + 1 bytes. Returns 0, or errno.
 int read_beginning(int descriptor, std::size_t max_bytes, std::string& text) {
   std::size_t size = 0;
   while (size <= max_bytes) {

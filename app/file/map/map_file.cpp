@@ -59,8 +59,8 @@ bool is_empty(const std::string& path) {
   return std::filesystem::file_size(path, failed) == 0 || failed;
 }
 
-// True if the partial rows belong to the map with this sidecar. The finished sidecar counts only if
-// there is no partial one: then the run ended between the two renames.
+// True if the partial rows belong to the map with this sidecar. The finished sidecar counts only
+// without a partial one: then the run ended between the two renames.
 bool is_of_map(const std::string& sidecar_path, const std::string& sidecar_text) {
   const std::string partial = partial_of(sidecar_path);
   return contents(is_empty(partial) ? sidecar_path : partial) == sidecar_text;

@@ -13,8 +13,8 @@ namespace {
 
 constexpr const char* kExport = "hapticwall_plugin";
 
-// The files of each plug-in by revision, by their index in algorithms(). A plug-in of another
-// program that uses this code has none.
+// Plug-in files by revision, indexed as in algorithms(). A plug-in registered by another program
+// that uses this code has no file.
 struct PluginFiles {
   std::mutex mutex;  // a recording is written while a file is loaded again
   std::map<std::size_t, std::deque<PluginFile>> all;

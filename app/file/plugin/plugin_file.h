@@ -15,7 +15,7 @@ struct PluginFile {
   std::string sha256;  // of the bytes that were loaded
 };
 
-// A plug-in has a slash, "./mine.so"; an algorithm's name has none.
+// True for a path with a slash, "./mine.so"; the name of an algorithm has none.
 [[nodiscard]] bool names_plugin(std::string_view text);
 
 // Loads a plug-in and gives its index in algorithms(); the same path again gives the same index.
@@ -29,7 +29,7 @@ struct PluginFile {
 // calls it. Realtime-safe: no.
 [[nodiscard]] Result<bool> reload_plugin(std::size_t algorithm);
 
-// nullptr if the algorithm is no plug-in of a file. `revision` as in AlgorithmSettings.
+// nullptr for an algorithm that was not loaded from a file. `revision` as in AlgorithmSettings.
 [[nodiscard]] const PluginFile* plugin_file(std::size_t algorithm, std::uint32_t revision = 0);
 
 }  // namespace hapticwall::file

@@ -43,7 +43,7 @@ int copied_to_memory(std::string_view bytes) {
   return -1;
 }
 
-// dlerror() names the copy; the reason stands behind it.
+// dlerror() begins with the name of the copy; the reason stands behind it.
 std::string loader_problem() {
   const char* const text = dlerror();  // NOLINT(concurrency-mt-unsafe): each thread has its own
   const std::string problem = text == nullptr ? "it cannot be loaded" : text;
@@ -79,7 +79,7 @@ bool others_can_write(const struct stat& status) {
   const uid_t user = geteuid();
   if (status.st_uid != user && status.st_uid != 0) return true;
   if (S_ISDIR(status.st_mode) && (status.st_mode & S_ISVTX) != 0) return false;
-  // The group of an ordinary user is often its own.
+  // An ordinary user often has a group of one member.
   const bool counts = user == 0 && status.st_gid != 0;
   return (status.st_mode & (counts ? S_IWGRP | S_IWOTH : S_IWOTH)) != 0;
 }
@@ -98,7 +98,7 @@ std::string trust_problem(int descriptor) {
   return "another user can write its folder; copy it to a folder of yours";
 }
 
-// Why the library is none, or "".
+// Reason why the file is no usable library, or "".
 std::string problem_in(void* library, const char* symbol, const ProblemOf& problem_of) {
   if (library == nullptr) return loader_problem();
   const void* const found = dlsym(library, symbol);
@@ -126,7 +126,8 @@ Result<const void*> load_library(const LibraryBytes& file, const char* symbol,
   if (descriptor < 0) return cannot_be_read(file.path, errno);
   const std::string copy = fmt::format("/proc/self/fd/{}", descriptor);
   void* library = nullptr;
-  // Its constructors run here. -ffast-math links one that switches denormals off.
+  // The library's constructors run here. Code linked with -ffast-math has one that switches
+  // denormals off.
   const LibraryFault fault =
       call_library({.library = file.path.c_str(), .function = "constructor"},
                    [&] { library = dlopen(copy.c_str(), RTLD_NOW | RTLD_LOCAL); });

@@ -28,7 +28,7 @@ struct RecordingInfo {
   // Content of the sidecar. Without one `loaded` is a scene without walls and hand; the rest is
   // empty.
   bool has_sidecar = false;
-  std::string sidecar_problem;  // why the file there is no sidecar
+  std::string sidecar_problem;  // reason why the file there is no sidecar
   LoadedScene loaded;
   std::string device;
   std::string realtime;    // how the real-time set-up went, in words
@@ -88,7 +88,7 @@ class RecordingReader {
 
   static constexpr std::uint64_t kNoBlock = ~std::uint64_t{0};
   std::uint64_t loaded_block_ = kNoBlock;
-  std::vector<Tick> ticks_;  // of the loaded block
+  std::vector<Tick> ticks_;  // ticks of the loaded block
   std::string text_;
 };
 

@@ -16,7 +16,7 @@ inline constexpr std::uint64_t kRowsPerBlock = 1024;
 
 // The beginning of kRowsPerBlock rows; the last block may be shorter.
 struct RowBlock {
-  std::uint64_t offset = 0;  // of its first row, in the file
+  std::uint64_t offset = 0;  // offset of its first row in the file
   std::uint64_t first_tick = 0;
 };
 
@@ -25,14 +25,14 @@ struct ScannedRows {
   std::uint64_t rows = 0;  // at least 1
   std::uint64_t first_tick = 0;
   std::uint64_t last_tick = 0;
-  std::uint64_t missing_rows = 0;  // in holes
-  std::uint64_t end_offset = 0;    // after the last whole row
+  std::uint64_t missing_rows = 0;  // number of ticks without a row
+  std::uint64_t end_offset = 0;    // end of the last whole row
   bool cut_off = false;            // an incomplete row follows it
-  std::optional<double> rate_hz;   // from tick and time of the last row
+  std::optional<double> rate_hz;   // rate from tick and time of the last row
   std::vector<RowBlock> blocks;
 };
 
-// Defects tolerated in a partial recording, or in one whose sidecar tells of them.
+// Defects tolerated in a partial recording, or in one whose sidecar mentions them.
 struct Tolerance {
   bool holes = false;
   bool cut_off = false;

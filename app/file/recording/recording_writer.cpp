@@ -109,7 +109,7 @@ class CsvRecordingWriter final : public RecordingWriter {
   [[nodiscard]] const std::string& sidecar_path() const override { return sidecar_path_; }
 
  private:
-  // Another file took the sidecar's name during the recording.
+  // Advice for the case that another file took the sidecar's name during the recording.
   [[nodiscard]] std::string recovery_remedy() const {
     return fmt::format(
         "its rows are in {}; move that file, then 'hapticwall recover {}' finishes it",

@@ -12,8 +12,8 @@ namespace hapticwall::file {
 struct Recovered {
   std::string csv_path;
   std::uint64_t rows = 0;
-  std::uint64_t missing_rows = 0;  // in holes
-  std::uint64_t cut_bytes = 0;     // after the last whole line
+  std::uint64_t missing_rows = 0;  // number of ticks without a row
+  std::uint64_t cut_bytes = 0;     // bytes removed after the last whole line
   std::vector<std::string> notes;  // warnings for the user, one line each
 };
 

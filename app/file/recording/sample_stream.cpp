@@ -112,8 +112,8 @@ void SampleStream::take(StreamFeed& feed, const Tick& tick) {
   ++samples_;
 }
 
-// Begins the newest line, at `line` of pending_, on a page of its own if it does not fit: spaces
-// before the end of the line before fill the page.
+// Starts the newest line, at `line` of pending_, on a new page if it does not fit: spaces before
+// the previous line's end fill the page.
 void SampleStream::keep_in_page(std::size_t line) {
   const std::size_t room = kPageBytes - (offset_ + line) % kPageBytes;
   if (line == 0 || room == kPageBytes || pending_.size() - line <= room) return;

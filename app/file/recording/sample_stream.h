@@ -20,7 +20,7 @@ struct StreamOptions {
   std::uint64_t every = 1;  // ticks per object, at least 1
   // True: waits for a slow reader, as long as it takes. False: its samples are lost at once.
   bool waits = false;
-  bool tells_leaving = true;                          // that the reader has closed it
+  bool tells_leaving = true;  // report that the reader has closed the stream
   std::function<void(const std::string& line)> tell;  // runs on the streaming thread; may be empty
   std::function<bool()> stopped;  // true if the program was asked to end; may be empty
 };
@@ -39,8 +39,9 @@ struct StreamFeed {
 class SampleStream {
  public:
   static constexpr std::size_t kFlushBytes = std::size_t{64} << 10U;
-  static constexpr std::size_t kMaxPendingBytes = std::size_t{1} << 20U;  // for a slow reader
-  static constexpr std::chrono::milliseconds kPatience{1000};             // at the end
+  // Max buffer for a slow reader.
+  static constexpr std::size_t kMaxPendingBytes = std::size_t{1} << 20U;
+  static constexpr std::chrono::milliseconds kPatience{1000};     // max wait at the end
   static constexpr std::chrono::milliseconds kLastPatience{100};  // if the end was requested
 
   // `path`: a new file, a pipe, a FIFO that somebody reads, or "-" for standard output. Fails
@@ -58,13 +59,13 @@ class SampleStream {
   // Buffers every n-th tick. Ticks that are missing since the last one count as lost; a tick that
   // is not finite does not.
   void take(StreamFeed& feed, const Tick& tick);
-  // Writes what is buffered, and finds out whether the reader has left.
+  // Writes what is buffered and detects a reader that has left.
   void flush();
-  // Writes the line at the end and closes. Where the stream does not wait, a reader that takes
-  // nothing for kPatience loses the rest. Tells how many samples were lost.
+  // Writes the last line and closes the stream. If the stream does not wait, a reader that takes
+  // nothing for kPatience loses the rest. Reports how many samples were lost.
   void finish();
   [[nodiscard]] bool reader_left() const;
-  // Samples; after finish() also those that the reader left in the buffer.
+  // Number of lost samples; after finish() it includes those that the reader left in the buffer.
   [[nodiscard]] std::uint64_t lost() const;
   // Failure of the disk. A reader that closes is no failure.
   [[nodiscard]] Failure failure() const;
@@ -85,15 +86,15 @@ class SampleStream {
   const std::string path_;
   const StreamOptions options_;
   bool on_standard_output_ = false;
-  std::string new_file_;  // to remove if it stays empty
+  std::string new_file_;  // file to remove if it stays empty
   bool in_file_ = false;
 
   mutable std::mutex mutex_;
   int descriptor_;  // -1 after the end
   std::uint32_t feeds_ = 0;
   std::string pending_;
-  std::size_t written_bytes_ = 0;  // of pending_
-  std::uint64_t offset_ = 0;       // of the next byte in a file
+  std::size_t written_bytes_ = 0;  // bytes of pending_ written so far
+  std::uint64_t offset_ = 0;       // offset of the next byte in a file
   bool ending_ = false;
   bool reader_left_ = false;
   std::uint64_t samples_ = 0;

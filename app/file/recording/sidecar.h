@@ -40,8 +40,8 @@ struct RecordedRows {
 // on a full disk or after a kill.
 [[nodiscard]] Failure write_sidecar(const std::string& csv_path, std::string_view text);
 
-// Why no sidecar may be written at `path`: only an older one of the same kind is replaced. Empty if
-// it may.
+// Reason why no sidecar may be written at `path`: only an older one of the same kind is replaced.
+// Empty if it may.
 [[nodiscard]] std::string sidecar_obstacle(const std::string& path, std::string_view table);
 
 }  // namespace hapticwall::file

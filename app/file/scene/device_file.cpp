@@ -30,7 +30,8 @@ constexpr std::array<NumberKey<DeviceDescription>, 1> kDeviceKeys{
     NumberKey<DeviceDescription>{"rate_hz", "Hz", kRate, false, &DeviceDescription::rate_hz}};
 
 constexpr ValueRange kEncoder{1e-9, 0.01};
-constexpr ValueRange kForceLimit{0.0, 32.767, true};  // a report carries no more
+// Upper end: the largest force that a report can carry.
+constexpr ValueRange kForceLimit{0.0, 32.767, true};
 constexpr ValueRange kWorkspaceBegin{-10.0, 0.0};
 constexpr ValueRange kWorkspaceEnd{0.0, 10.0};
 constexpr ValueRange kForceRate{0.0, 1e6, true};

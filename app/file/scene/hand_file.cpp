@@ -25,7 +25,7 @@ std::string_view take_line(std::string_view& text) {
   return line;
 }
 
-// A number of a row, or why there is none.
+// A number of a row, or the reason why the field holds none.
 Result<double> hand_number(std::string_view field, const ValueRange& range, std::string_view name,
                            std::string_view unit) {
   const std::optional<double> value = parsed<double>(trimmed(field));
@@ -57,7 +57,8 @@ bool is_hand_header(std::string_view line) {
 
 }  // namespace
 
-// A message tells no text of the file: whoever wrote the scene chose it, /etc/shadow for example.
+// A message quotes no text of the file, because the author of the scene chose the file: it could be
+// /etc/shadow.
 Result<std::vector<PathPoint>> parse_hand(std::string_view text, const std::string& origin) {
   text = without_byte_order_mark(text);
   const std::string_view header = take_line(text);

@@ -29,7 +29,7 @@ DeviceDescription read_file(const std::string& file, const toml::node& node,
   throw ReadFailure(place_of(node, origin) + ": device: " + device.error().message);
 }
 
-// Adds the numbers of the device file; an own number of `table` stays where it `wins`.
+// Adds the numbers of the device file. A number that `table` already has is kept where it `wins`.
 void add_numbers(const DeviceDescription& device, bool wins, toml::table& table) {
   const auto add = [&](std::string_view key, std::optional<double> value) {
     if (!value || (wins && table.contains(key))) return;

@@ -28,8 +28,8 @@ struct Mark {
 inline constexpr std::size_t kMaxChanges = 10'000;
 inline constexpr std::string_view kTooManyChanges = "more than 10000 changes of parameters";
 // Together well below kMaxSidecarBytes.
-inline constexpr std::size_t kMaxMarks = 1000;     // of a recording
-inline constexpr std::size_t kMaxMarkBytes = 200;  // of a text, UTF-8
+inline constexpr std::size_t kMaxMarks = 1000;     // marks of one recording
+inline constexpr std::size_t kMaxMarkBytes = 200;  // bytes of one text, UTF-8
 
 // The text of a mark from user input: cut to kMaxMarkBytes, without control characters and invalid
 // UTF-8.
@@ -41,10 +41,10 @@ struct LoadedScene {
   std::vector<ScheduledChange> changes;
   std::uint64_t first_recorded_tick = 0;
   std::string not_repeatable_because;     // empty: a repetition gives the same rows
-  std::string changed_plugin;             // its path; empty: as recorded, or another algorithm
-  std::vector<std::string> device_files;  // that were read; also built-in names and ""
-  std::vector<Mark> marks;                // in order
-  std::string csv_sha256;                 // of the rows; empty: not known
+  std::string changed_plugin;             // plug-in path; empty: as recorded, or another algorithm
+  std::vector<std::string> device_files;  // files read; also built-in names and ""
+  std::vector<Mark> marks;                // marks in order
+  std::string csv_sha256;                 // hash of the rows; empty: not known
   bool edited = false;                    // the sidecar was changed since it was written
   // Tick of each axis at which the recorded run diverged, which the rows do not show.
   std::array<std::optional<std::uint64_t>, kMaxAxes> diverged_at_tick;

@@ -1,4 +1,4 @@
-// A verdict in words and as a grade: the same in window, figure and table.
+// A verdict in words and as a grade, for window, figure and table alike.
 #pragma once
 
 #include <cstdint>

@@ -19,7 +19,8 @@ namespace hapticwall::file {
 namespace {
 
 constexpr std::size_t kMaxAnswersBytes = std::size_t{1} << 24U;
-constexpr mode_t kAnswersMode = 0600;  // they tell of a person
+// Readable by the user only, because answers are personal data.
+constexpr mode_t kAnswersMode = 0600;
 
 std::string field_text(const std::string& value) { return value; }
 std::string field_text(std::uint64_t value) { return fmt::format("{}", value); }
@@ -163,7 +164,7 @@ Error AnswersFile::failure() const {
                                 std::generic_category().message(errno)));
 }
 
-// Nothing changes before everything was understood.
+// Changes no member before the whole file was understood.
 Failure AnswersFile::read() {
   struct stat status {};
   if (fstat(descriptor_, &status) != 0) return failure();
@@ -202,7 +203,7 @@ Failure AnswersFile::read_lines(std::string_view whole) {
   return std::nullopt;
 }
 
-// Earlier programs took 64 bits of the same hash. Their sessions keep their order.
+// Earlier programs used 64 bits of the same hash. Their sessions keep their order.
 void AnswersFile::take_older_seed(std::uint64_t seed) {
   constexpr unsigned kMoreBits = 12;
   if (seed > kMaxSeed && seed >> kMoreBits == identity_.seed) identity_.seed = seed;

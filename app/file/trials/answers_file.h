@@ -21,8 +21,8 @@ inline constexpr std::uint64_t kMaxSeed = std::uint64_t{1} << 53U;
 struct Answer {
   std::string participant;
   std::string session;
-  std::string time_utc;     // of the choice, ISO 8601
-  std::uint64_t trial = 0;  // its number in the list
+  std::string time_utc;     // time of the choice, ISO 8601
+  std::uint64_t trial = 0;  // number of the trial in the list
   std::string block;
   TrialKind kind = TrialKind::kTest;
   std::string question;
@@ -32,10 +32,10 @@ struct Answer {
   Slot chosen = Slot::kA;
   std::optional<bool> correct;  // nullopt: the trial has no right answer
   std::uint32_t looks = 0;      // presentations felt before the choice
-  double seconds = 0.0;         // from the first of these presentations to the choice
+  double seconds = 0.0;         // time from the first of these presentations to the choice
   std::uint64_t seed = 0;       // seed of the order of presentations; in new files at most kMaxSeed
   std::string program;          // version and build
-  std::string scene_sha256;     // of the scene as TOML, without the slots
+  std::string scene_sha256;     // hash of the scene as TOML, without the slots
   std::string list_sha256;
 
   friend bool operator==(const Answer&, const Answer&) = default;
@@ -66,7 +66,7 @@ class AnswersFile {
   // the file is as before, where the disk allows it.
   [[nodiscard]] Failure append(Answer answer);
 
-  // Those that open() found.
+  // Answers that open() found.
   [[nodiscard]] std::span<const Answer> found() const { return found_; }
   // The end of the file was a torn line, which a kill leaves; it is gone.
   [[nodiscard]] bool dropped() const { return dropped_; }

@@ -72,7 +72,7 @@ struct ListColumn {
   std::string_view name;
   ReadField read;
 };
-// Read in this order, whatever the order in the file.
+// Columns are read in this order, in whatever order the file has them.
 constexpr std::array kListColumns{ListColumn{"trial", read_number},
                                   ListColumn{"block", read_block},
                                   ListColumn{"kind", read_kind},

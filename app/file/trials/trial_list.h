@@ -29,8 +29,8 @@ inline constexpr std::array<std::string_view, 4> kTrialKinds{"practice", "test",
 }
 [[nodiscard]] std::optional<TrialKind> find_trial_kind(std::string_view name);
 
-inline constexpr std::size_t kMaxTrials = 1000;     // of a list, with its breaks
-inline constexpr std::size_t kMaxTrialBytes = 200;  // of a question or a block, UTF-8
+inline constexpr std::size_t kMaxTrials = 1000;     // trials of a list, with its breaks
+inline constexpr std::size_t kMaxTrialBytes = 200;  // bytes of a question or a block name, UTF-8
 inline constexpr const char* kUsualQuestion = "Which wall is stiffer?";
 
 // A row of the list.
@@ -46,7 +46,7 @@ struct TrialSpec {
 
 struct TrialList {
   std::vector<TrialSpec> trials;
-  std::string sha256;  // of the file
+  std::string sha256;  // hash of the file
 };
 
 // "KEY=VALUE; KEY=VALUE" as texts of --set.

@@ -26,7 +26,7 @@ enum class ArmingState : std::uint8_t {
 
 // Why the force is off.
 enum class ArmingNote : std::uint8_t {
-  kNone,        // it is on, or was never asked for
+  kNone,        // the force acts, or was never requested
   kAsked,       // the person asked for it
   kInsideWall,  // refused: the handle was inside the wall
   kNotReady,    // refused: the device gave no valid position

@@ -11,7 +11,7 @@ namespace hapticwall::session {
 // The clocks are compared over this time, and may differ by this share of it.
 inline constexpr double kClockWindowS = 0.1;
 inline constexpr double kClockTolerance = 0.05;
-// Between two reports the clocks may differ by so much: reports may wait.
+// Allowed difference of the clocks between two reports, because reports may be delayed.
 inline constexpr double kMaxClockJumpS = 0.02;
 
 class ClockJudge {
@@ -51,7 +51,7 @@ class ClockJudge {
   bool begun_ = false;
   bool known_ = false;  // a whole window was compared
   ArmingNote rate_ = ArmingNote::kNone;
-  double device_s_ = 0.0;  // of the last report
+  double device_s_ = 0.0;  // device time of the last report
   double arrival_s_ = 0.0;
   double from_device_s_ = 0.0;  // of the present window
   double from_arrival_s_ = 0.0;

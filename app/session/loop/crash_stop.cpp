@@ -24,7 +24,8 @@ constexpr std::array kFaults{SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
 constexpr std::array kSignals{SIGSEGV, SIGBUS,  SIGFPE, SIGILL,  SIGABRT,
                               SIGHUP,  SIGQUIT, SIGINT, SIGTERM, SIGXCPU};
 constexpr std::int64_t kWaitStepNs = 200'000;
-// Limit of a last call into a library that ends the process: it may wait for its own mutex.
+// Limit of a last call into a library. The call ends the process, and may wait for a mutex of the
+// library.
 constexpr unsigned kMaxReentryS = 1;
 // Larger than any signal frame; the handler itself needs little.
 constexpr std::size_t kMinStackBytes = std::size_t{64} * 1024;
@@ -89,7 +90,7 @@ void catch_signals() {
     struct sigaction ours {};
     ours.sa_sigaction = hapticwall_on_crash;
     ours.sa_flags = SA_SIGINFO | SA_ONSTACK;
-    sigfillset(&ours.sa_mask);  // one end is enough
+    sigfillset(&ours.sa_mask);  // Blocks all signals in the handler: the process ends only once.
     sigaction(kSignals[i], &ours, nullptr);
   }
 }

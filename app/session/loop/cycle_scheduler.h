@@ -37,7 +37,7 @@ class CycleScheduler {
     return wake;
   }
 
-  // Leaves out so many deadlines, which do not count as missed.
+  // Leaves out this many deadlines, which do not count as missed.
   void skip(std::uint64_t deadlines) { next_ += deadlines; }
 
  private:

@@ -83,11 +83,11 @@ struct Exchange {
   SpscQueue<Tick> plot;
   SpscQueue<ParameterEcho> echoes{kEchoQueueCapacity};
   std::atomic<std::uint64_t> dropped_plot_samples{0};
-  std::atomic<std::uint64_t> dropped_rows{0};        // of all recordings
+  std::atomic<std::uint64_t> dropped_rows{0};        // rows dropped by all recordings
   std::atomic<std::uint32_t> recording_switches{0};  // executed start and stop commands
   std::atomic<bool> pointer_led{false};              // true if it led in any tick since tick 0
   std::atomic<bool> finished{false};                 // force is zero, device closed
-  LatencyHistogram wake_latency;                     // of every cycle
+  LatencyHistogram wake_latency;                     // latencies of all cycles
   LatencyHistogram compute_time;
 
   // Loop to recorder.

@@ -1,5 +1,6 @@
-// How far a handle moves against the full force. A force slows a mass down: the way that the lost
-// kinetic energy explains is no way given. Arithmetic only. Realtime-safe: yes, all of it.
+// Distance that a handle moves against the full force. A force decelerates a mass: the distance
+// that the lost kinetic energy explains does not count. Arithmetic only. Realtime-safe: yes, all of
+// it.
 #pragma once
 
 #include <algorithm>
@@ -80,7 +81,7 @@ class GivenWay {
   bool known_ = false;
   double position_m_ = 0.0;
   double speed_m_per_s_ = 0.0;
-  int sign_ = 0;                // of the last force
+  int sign_ = 0;                // sign of the last force
   double first_m_per_s_ = 0.0;  // against the force; 0 after a rest
   int pushed_ = 0;              // the last full_force
   // The farthest that the present full force has pushed, along it, and the way from there that is

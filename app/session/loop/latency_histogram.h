@@ -47,7 +47,7 @@ template <typename At>
 class LatencyBins {
  public:
   static constexpr std::size_t kAnOctave = 16;
-  // Up to 2^36 ns, about a minute; longer times count as that.
+  // The bins reach to 2^36 ns, about a minute; longer times count in the last bin.
   static constexpr std::size_t kCount = std::size_t{33} * kAnOctave;
 
   // Times below 0 count as 0.

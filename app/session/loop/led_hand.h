@@ -13,9 +13,10 @@ namespace hapticwall::session {
 
 // A straight, even motion of the hands of all axes.
 struct HandMove {
-  std::array<double, kMaxAxes> m{};  // a way, or a place where `to_place`; NaN: not this axis
-  double duration_s = 0.0;           // of a way
-  double speed_m_per_s = kMaxPointerSpeedMPerS;  // to a place, on the axis with the longest way
+  // Distance, or position if `to_place`; NaN: the axis does not move.
+  std::array<double, kMaxAxes> m{};
+  double duration_s = 0.0;                       // duration of a move by a distance
+  double speed_m_per_s = kMaxPointerSpeedMPerS;  // for a move to a position; on the longest axis
   bool to_place = false;
   bool at_once = false;       // drops the moves before it; else it follows them
   std::uint32_t gesture = 0;  // set by the session: moves of an older gesture are dropped

@@ -13,7 +13,7 @@ namespace hapticwall::session {
 struct LoopAxis {
   device::Device& device;
   Servo servo;
-  PlantModel* plant = nullptr;         // in use; nullptr: the device's own
+  PlantModel* plant = nullptr;         // plant in use; nullptr: the device's own
   std::optional<DeviceJudge> judge{};  // nullopt: a simulator
   ArmingNote judged = ArmingNote::kNone;
 
@@ -22,7 +22,7 @@ struct LoopAxis {
   void reset();
   // The sample before tick 0: the device's rest position, no force, no energies.
   [[nodiscard]] Sample at_rest();
-  // Judges the device and ticks. What is forbidden gives no force in the same tick.
+  // Judges the device and ticks. An objection removes the force in the same tick.
   [[nodiscard]] Sample judged_tick(double elapsed_s, bool armed);
 };
 

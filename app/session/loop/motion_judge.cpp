@@ -14,7 +14,8 @@ ArmingNote MotionJudge::judge(const DeviceReading& reading, double elapsed_s, bo
   since_s_ += elapsed_s;
   const double moved_m = reading.position_m - position_m_;
   const double ticked_s = reading.device_time_s - device_time_s_;
-  if (known_ && moved_m == 0.0 && ticked_s == 0.0) return ArmingNote::kNone;  // the same report
+  // The report is the previous one again.
+  if (known_ && moved_m == 0.0 && ticked_s == 0.0) return ArmingNote::kNone;
   const double passed_s = std::min(ticked_s != 0.0 ? ticked_s : since_s_, kDefaultMaxAgeS);
   const double reach_m =
       (1.0 + kTimeTolerance) * motion_.max_speed_m_per_s * passed_s + kNoiseCounts * encoder_m_;

@@ -34,11 +34,11 @@ class MotionJudge {
   double encoder_m_;
   bool known_ = false;
   bool speed_known_ = false;
-  double position_m_ = 0.0;  // of the last report
+  double position_m_ = 0.0;  // position in the last report
   double device_time_s_ = 0.0;
   double since_s_ = 0.0;        // since the last report, by the host's clock
-  double speed_m_per_s_ = 0.0;  // between the last two reports
-  double passed_s_ = 0.0;       // between them
+  double speed_m_per_s_ = 0.0;  // mean speed between the last two reports
+  double passed_s_ = 0.0;       // time between the last two reports
 };
 
 }  // namespace hapticwall::session

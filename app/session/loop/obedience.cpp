@@ -12,9 +12,9 @@ constexpr double kLowLevel = 0.2;
 constexpr double kMaxDelayS = 0.02;
 // A smaller step of the force, as a share of the mean force, shows nothing.
 constexpr double kMinStep = 0.2;
-// Positions are means of so many chunks.
+// Number of chunks whose mean is a position.
 constexpr std::uint64_t kMeanChunks = 8;
-// A smaller response is none.
+// A smaller response counts as none.
 constexpr double kMinResponseCounts = 1.0;
 constexpr double kMinResponseM = 0.05e-3;
 // The responses in a row differ by no more than this factor.

@@ -19,7 +19,7 @@ class Obedience {
  public:
   enum class Word : std::uint8_t { kUnknown, kObeys, kDisobeys };
 
-  // `rate_hz`: of the ticks, positive. `encoder_m`: 0 if unknown. `untried_share`: 1 for a device
+  // `rate_hz`: tick rate, positive. `encoder_m`: 0 if unknown. `untried_share`: 1 for a device
   // whose force needs no trial.
   Obedience(double encoder_m, double rate_hz, double untried_share);
 
@@ -37,7 +37,7 @@ class Obedience {
   // Positions and forces of about a millisecond each.
   static constexpr std::size_t kChunks = 256;
   struct Chunk {
-    double position_m = 0.0;  // at its end
+    double position_m = 0.0;  // position at the end of the chunk
     double force_n = 0.0;     // mean
     bool pushes = false;      // all forces of one sign, and that sign is the one of force_n
   };
@@ -74,7 +74,7 @@ class Obedience {
   std::uint32_t with_ = 0;
   std::uint32_t against_ = 0;
   std::uint32_t none_ = 0;
-  double least_m_per_n_ = 0.0;  // of the present row
+  double least_m_per_n_ = 0.0;  // smallest response of the present series
   double most_m_per_n_ = 0.0;
 };
 

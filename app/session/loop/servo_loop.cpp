@@ -222,7 +222,7 @@ void ServoLoop::tick() {
   hand_out(tick);
 }
 
-// Counts the ticks for the note about a session that is at its limit for most of the time.
+// Counts the armed ticks for the note about a force that is mostly at its limit.
 void ServoLoop::count_force(const Tick& tick) {
   const ServoSettings& settings = axes_.front().servo.settings();
   if (!arming_.enabled()) return;

@@ -70,7 +70,7 @@ class ServoLoop {
   std::uint64_t rest_periods_ = 0;
 };
 
-// Between two looks of a paused simulator at its commands.
+// Interval at which a paused simulator checks for commands.
 inline constexpr double kRestS = 0.01;
 
 // The thread's body: cycles at `rate_hz` until the exchange says stop. It always ends with zero

@@ -25,9 +25,9 @@ struct TimingStatistics {
   std::uint64_t ticks = 0;
   std::uint64_t missed_ticks = 0;
   std::uint64_t rested_periods = 0;  // left out while a simulator was paused
-  double wake_latency_s = 0.0;       // of the newest tick
+  double wake_latency_s = 0.0;       // latency of the newest tick
   double maximum_wake_latency_s = 0.0;
-  double compute_time_s = 0.0;  // of the newest tick
+  double compute_time_s = 0.0;  // compute time of the newest tick
   double maximum_compute_time_s = 0.0;
   // Compute time over the last second with ticks, updated four times a second.
   std::uint32_t cost_ticks = 0;  // 0: not known yet
@@ -53,14 +53,15 @@ inline constexpr std::string_view kWeakText =
 struct ArmingStatus {
   ArmingState state = ArmingState::kNotNeeded;
   ArmingNote note = ArmingNote::kNone;
-  double gain = 1.0;              // of the force, 0 to 1
+  double gain = 1.0;              // factor of the force, 0 to 1
   std::uint32_t asked = 0;        // answered requests to arm, granted or refused
   double since_s = 0.0;           // session's time at which `state` began
   double limit_share = 1.0;       // share of the force limit: below 1 until the handle has obeyed
   std::uint64_t armed_ticks = 0;  // since the start, and those of them with the full force
   std::uint64_t limit_ticks = 0;
 
-  // Half of the armed time, and at least a second of it, at the limit. `rate_hz`: of the ticks.
+  // True if at least one second was armed, and more than half of the armed time had the force at
+  // its limit. `rate_hz`: tick rate.
   [[nodiscard]] bool mostly_at_limit(double rate_hz) const {
     return static_cast<double>(armed_ticks) >= rate_hz && 2 * limit_ticks > armed_ticks;
   }
@@ -71,9 +72,9 @@ struct Snapshot {
   Tick newest;
   TimingStatistics timing;
   ArmingStatus arming;
-  device::LinkStats link;              // of a real device
+  device::LinkStats link;              // statistics of a real device
   std::uint64_t cycles = 0;            // since the start of the session, also without a tick
-  std::uint32_t generation = 0;        // of the parameters in force
+  std::uint32_t generation = 0;        // generation of the parameters in force
   std::uint32_t resets = 0;            // how often the session went back to tick 0
   std::uint32_t periods_per_tick = 1;  // slow motion of a simulator
   bool paused = false;

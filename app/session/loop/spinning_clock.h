@@ -23,7 +23,7 @@ inline constexpr std::int64_t kInstantNs = 20'000;
   return std::llround(std::min(spin_s, kMaxSpinOfPeriod / rate_hz) * kNanosecondsPerSecond);
 }
 
-// Another clock that spins for the last `spin_ns` before a deadline.
+// Wraps another clock and spins for the last `spin_ns` before a deadline.
 class SpinningClock : public Clock {
  public:
   SpinningClock(Clock& clock, std::int64_t spin_ns) : clock_(clock), spin_ns_(spin_ns) {}

@@ -19,7 +19,7 @@ constexpr decltype(timeval::tv_usec) kLookIntervalUs = 100'000;
 // Globals, because signal handlers take no data.
 std::atomic<int> g_stop_signal{0};
 std::atomic_flag g_looks = ATOMIC_FLAG_INIT;
-PulseWatch g_watch;  // of the handler that holds g_looks
+PulseWatch g_watch;  // watch of the handler that holds g_looks
 static_assert(std::atomic<int>::is_always_lock_free);
 
 std::int64_t now_ns() {

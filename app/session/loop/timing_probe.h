@@ -15,14 +15,14 @@ namespace hapticwall::session {
 struct TimingRecord {
   RealtimeStatus status;
   std::uint64_t missed_ticks = 0;
-  double processor_share = 0.0;          // of one core
-  std::vector<std::int64_t> latency_ns;  // of every wake-up
-  std::vector<std::int64_t> compute_ns;  // of every tick's work: the device's read and write
+  double processor_share = 0.0;          // share of one core
+  std::vector<std::int64_t> latency_ns;  // latency of every wake-up
+  std::vector<std::int64_t> compute_ns;  // work of every tick: the device's read and write
   // Times of a device, for each tick with a new state.
   std::vector<std::int64_t> age_ns;
   std::vector<std::int64_t> round_trip_ns;
   std::vector<std::int64_t> write_ns;
-  device::LinkStats link;  // at the end
+  device::LinkStats link;  // statistics at the end
   std::string delay_date;  // see DeviceInfo::delay_date; the caller adds it
 };
 

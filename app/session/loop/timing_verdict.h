@@ -32,9 +32,9 @@ void judge(const Measure& measure, TimingJudgement& judgement);
 
 struct LoopTiming {
   double rate_hz = 1000.0;
-  Quantiles latency;  // of the wake-ups
+  Quantiles latency;  // quantiles of the wake-ups
   std::uint64_t missed_ticks = 0;
-  std::string advice;  // of the real-time set-up; may be empty
+  std::string advice;  // advice on the real-time set-up; may be empty
 };
 // Good: no tick missed, and p99.9 of the wake-up latency within a tenth of the period. Usable: at
 // most one tick in 10 000 missed, p99.9 within half a period.

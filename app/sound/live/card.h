@@ -14,8 +14,8 @@ namespace hapticwall::sound {
 struct CardFacts {
   std::string name;
   double rate_hz = 48000.0;
-  std::size_t period_frames = 128;  // that one call asks for
-  double latency_s = 0.0;           // from the call to the plug, as the card reports it
+  std::size_t period_frames = 128;  // frames that one call requests
+  double latency_s = 0.0;           // latency from the call to the plug, as the card reports it
 };
 
 // Closed by its destructor, which may wait for the card.

@@ -12,7 +12,7 @@
 namespace hapticwall::sound {
 namespace {
 
-constexpr unsigned kChannels = 2;  // both sides get the same
+constexpr unsigned kChannels = 2;  // both channels get the same samples
 constexpr unsigned kWantedFrames = 128;
 constexpr unsigned kBuffers = 2;
 constexpr std::array kRatesHz{48000U, 44100U};
@@ -21,7 +21,7 @@ constexpr std::array kRatesHz{48000U, 44100U};
 std::unique_ptr<RtAudio> audio_of(RtAudio::Api api) {
   return std::make_unique<RtAudio>(api, [](RtAudioErrorType, const std::string&) {});
 }
-// Empty where the call succeeds.
+// The error of the call; empty if it succeeded.
 template <typename Call>
 std::string problem_of(RtAudio& audio, Call call) {
   return call() == RTAUDIO_NO_ERROR ? "" : audio.getErrorText();
@@ -68,7 +68,7 @@ class RtAudioCard final : public Card {
   }
 
   auto start(unsigned rate_hz) {
-    // RtAudio tells no latency for some cards: then it is that of the buffers.
+    // Some cards report no latency to RtAudio: the buffers then give it.
     const double told = static_cast<double>(audio_->getStreamLatency());
     const double buffers = static_cast<double>(kBuffers * frames_);
     facts_ = {RtAudio::getApiDisplayName(audio_->getCurrentApi()), static_cast<double>(rate_hz),
@@ -95,10 +95,10 @@ class RtAudioCard final : public Card {
   unsigned frames_ = kWantedFrames;
   std::vector<float> mono_;
   CardFacts facts_;
-  std::unique_ptr<RtAudio> audio_;  // last: its thread ends before what it fills
+  std::unique_ptr<RtAudio> audio_;  // last member: its thread ends before the members that it uses
 };
 
-// Empty where it plays.
+// Returns the problem; empty if the card plays.
 std::string RtAudioCard::open() {
   if (audio_->getDeviceCount() == 0) return "no sound card";
   std::string problem;

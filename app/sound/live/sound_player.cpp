@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::chrono::duration<double> kPeriod{kPumpPeriodS};
 constexpr std::chrono::milliseconds kEndWait{200};
-// A card that asks for nothing in so many periods is stuck.
+// A card that requests nothing for this many periods is stuck.
 constexpr int kStuckPeriods = 1000;
 
 // The card, and the way of the ticks to it. Its functions may wait for the card.
@@ -88,7 +88,7 @@ struct SoundPlayer::Shared {
   bool end = false;
   bool ended = false;
   SoundStatus status;
-  std::uint64_t calls = 0;  // of the card, at the last look
+  std::uint64_t calls = 0;  // calls of the card at the last check
   int silent_periods = 0;
 };
 

@@ -23,7 +23,7 @@ class SoundPlayer {
   // Opens the card, or closes it. A card that did not open is tried again at the next switch.
   void play(bool on);
   void mix(const SoundMix& mix);
-  // The session to be heard from now on; the same one again costs nothing.
+  // Selects the session to be heard; selecting the same one again costs nothing.
   void follow(const SoundSource& source);
   [[nodiscard]] SoundStatus status() const;
 

@@ -29,22 +29,21 @@ inline constexpr double kMaxBacklogS = 0.05;
 // The ticks that wait for the sound.
 class TickTaker {
  public:
-  // Drops what waits in the feed, which is not null.
+  // Drops the ticks that wait in the feed. Precondition: the feed is not null.
   explicit TickTaker(const SoundSource& source);
 
-  // All ticks that wait; none where they waited too long. Valid until the next call. Realtime-safe:
-  // no.
+  // All waiting ticks; empty if they waited too long. Valid until the next call. Realtime-safe: no.
   [[nodiscard]] std::span<const Tick> take();
 
  private:
   std::shared_ptr<session::SoundFeed> feed_;
-  double max_backlog_;  // in ticks
+  double max_backlog_;  // ticks
   std::vector<Tick> ticks_;
 };
 
 struct SoundMix {
   double volume = 0.5;  // 0 to 1
-  bool masked = false;  // noise in the place of the signal
+  bool masked = false;  // true: noise replaces the signal
 };
 
 // The time that ticks and calls of the card may be late.
@@ -52,14 +51,14 @@ inline constexpr double kSpareS = 0.004;
 // The pump's calls are this far apart.
 inline constexpr double kPumpPeriodS = 0.001;
 
-inline constexpr double kMaxCorrection = 0.005;  // of the ratio of the two rates
+inline constexpr double kMaxCorrection = 0.005;  // relative, of the ratio of the two rates
 inline constexpr double kDriftPole = 0.5;        // 1/s, of both poles of the closed loop
 inline constexpr double kDriftSmoothingS = 0.3;  // the level moves with every call of the card
 
 // Keeps a queue between two clocks at its level: a slow PI controller. Realtime-safe: yes.
 class DriftControl {
  public:
-  // `excess_s`: what the queue holds above its level. Returns the share by which the reader should
+  // `excess_s`: content of the queue above its level. Returns the share by which the reader should
   // be faster, within ±kMaxCorrection.
   double update(double excess_s, double elapsed_s) {
     const double weight = std::min(1.0, elapsed_s / kDriftSmoothingS);
@@ -75,7 +74,7 @@ class DriftControl {
   double sum_ = 0.0;
 };
 
-// Noise that falls by about 3 dB an octave over the band of the sound. It knows nothing of the
+// Noise that falls by about 3 dB an octave over the band of the sound. It is independent of the
 // loop. Realtime-safe: yes.
 class MaskingNoise {
  public:
@@ -85,7 +84,7 @@ class MaskingNoise {
 
  private:
   struct Part {
-    double share;  // of the input that it takes
+    double share;  // share of the input that the part takes
     double gain;
     double value = 0.0;
   };

@@ -13,7 +13,7 @@ namespace hapticwall::sound {
 // The level that the ring is kept at, in samples.
 struct RingLevels {
   std::size_t start = 0;  // level before the card's first sample, and after the ring was empty
-  std::size_t max = 0;    // above it the oldest samples are dropped down to `start`
+  std::size_t max = 0;    // level above which the oldest samples are dropped, down to `start`
   double mean = 0.0;      // seen between two calls of the card
 };
 

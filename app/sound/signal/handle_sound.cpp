@@ -8,7 +8,7 @@ namespace hapticwall::sound {
 namespace {
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
-constexpr double kMaxClickShare = 0.2;  // of the loop's rate
+constexpr double kMaxClickShare = 0.2;  // share of the loop's rate
 
 bool is_unknown(const Sample& sample) {
   return (sample.flags & (kFlagDeviceFault | kFlagStaleInput)) != 0;

@@ -17,7 +17,7 @@ inline constexpr double kMeasuredHighestHz = 100.0;
 // A touch after less time out of contact has no click: a limit cycle sounds by its acceleration.
 inline constexpr double kFreeBeforeClickS = 0.03;
 inline constexpr double kClickHz = 200.0;        // at most a fifth of the loop's rate
-inline constexpr double kClickDecayS = 0.008;    // to 1/e
+inline constexpr double kClickDecayS = 0.008;    // decay time to 1/e
 inline constexpr double kClickPerSpeed = 200.0;  // 1/s: m/s² of its envelope per m/s of approach
 
 // One axis, tick by tick. The acceleration is the mean over the last tick, (v(k) - v(k-1)) / T. `v`

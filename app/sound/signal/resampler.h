@@ -38,9 +38,9 @@ class Resampler {
   double band_hz_;
   double ratio_;  // inputs an output
   double step_;
-  double half_;                // of the kernel, in inputs
+  double half_;                // half length of the kernel, in inputs
   std::vector<double> table_;  // one half of the kernel
-  std::vector<double> ring_;   // of the last inputs
+  std::vector<double> ring_;   // the last inputs
   std::size_t newest_ = 0;
   double next_;  // time of the next output after the newest input, in inputs; negative: before it
 };

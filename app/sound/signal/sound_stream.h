@@ -1,4 +1,4 @@
-// Audio samples from ticks: the same for a file and for a sound card.
+// Audio samples from ticks, for files and sound cards alike.
 #pragma once
 
 #include <vector>
@@ -24,7 +24,7 @@ class SoundStream {
 
   // Appends samples within ±1.
   void take(const Tick& tick, std::vector<float>& out);
-  // Appends the rest of a file: what the filter still holds.
+  // Appends the rest of a file: the samples that are still in the filter.
   void finish(std::vector<float>& out);
 
   void correct(double share) { resampler_.correct(share); }

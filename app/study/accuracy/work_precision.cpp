@@ -76,7 +76,7 @@ LogPlot plot_of(const AccuracyStudy& study, const char* title, const char* unit,
   return plot;
 }
 
-// One line without a line end.
+// The reference in one line, without a line end.
 std::string reference_text(const Summary& reference) {
   std::string text = fmt::format("reference, the exact propagator in extended precision: {}",
                                  file::verdict_text(reference));

@@ -44,7 +44,7 @@ class TailTrace {
   draw::Trace trace_;
 };
 
-// Every algorithm in all its forms, also where the scene names one of them.
+// Every algorithm in all its forms, even if the scene names one of them.
 std::vector<ComparedAlgorithm> all_of(const Scene& scene) {
   std::vector<ComparedAlgorithm> all;
   for (std::size_t i = 0; i < algorithms().size(); ++i) {

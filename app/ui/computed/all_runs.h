@@ -15,8 +15,7 @@
 
 namespace hapticwall::ui {
 
-// Trace of a run that is drawn: its last seconds, in so many pairs of a smallest and a largest
-// value.
+// Length of a drawn trace: the last seconds of the run, as this many pairs of minimum and maximum.
 inline constexpr double kTraceS = 2.0;
 inline constexpr std::size_t kTraceColumns = 400;
 

@@ -63,7 +63,8 @@ class Computed {
   }
   // The parts since the last call, in their order.
   [[nodiscard]] std::vector<Part> take() {
-    auto ended = task_.take();  // before the parts: all of them are there if the work has ended
+    // Taken before the parts: once the work has ended, all parts are there.
+    auto ended = task_.take();
     std::vector<Part> parts;
     if (outbox_) {
       const std::scoped_lock lock(outbox_->mutex);

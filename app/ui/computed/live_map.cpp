@@ -7,7 +7,7 @@
 namespace hapticwall::ui {
 namespace {
 
-constexpr std::size_t kCellsAtATime = 64;  // for each thread, between two deliveries
+constexpr std::size_t kCellsAtATime = 64;  // cells a thread computes between two deliveries
 
 std::size_t block_begin(std::size_t index, std::size_t stage) { return index / stage * stage; }
 

@@ -32,9 +32,9 @@ class MapPicture {
   void add(std::size_t middle, std::size_t stage, const MapMetrics& metrics);
 
   [[nodiscard]] const StabilityMap& map() const { return map_; }
-  // Metrics of all cells: their own, or those of the middle of their block.
+  // Metrics of all cells; a cell not yet computed has those of the middle of its block.
   [[nodiscard]] std::span<const MapMetrics> figures() const { return figures_; }
-  // The cell whose figures stand at this cell.
+  // Index of the cell whose metrics stand at this cell.
   [[nodiscard]] std::size_t source(std::size_t cell) const { return sources_[cell]; }
 
   std::vector<draw::BoundLines> bounds;
@@ -50,7 +50,7 @@ struct MapPart {
   std::size_t stage = 0;
   std::vector<std::size_t> middles;
   std::vector<MapMetrics> metrics;
-  std::vector<draw::BoundLines> bounds;  // of the first stage
+  std::vector<draw::BoundLines> bounds;  // bounds of the first stage
 };
 
 // The previous picture stays until the first stage of the next map is done. stop() keeps it, too.

@@ -14,7 +14,7 @@ constexpr double kDecade = 10.0;
 constexpr double kWholeValues = 11.0;
 constexpr double kAroundPositionM = 0.02;
 
-// The upper end of a range from 0, where the scene has no value to go by.
+// Upper end of a range from 0 if the scene has no value to derive it from.
 struct UsualSpan {
   std::string_view unit;
   double span;

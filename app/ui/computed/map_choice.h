@@ -16,7 +16,7 @@ namespace hapticwall::ui {
 inline constexpr std::size_t kLiveMapValues = 60;  // max on an axis
 
 struct MapAxisChoice {
-  std::string path;  // of a number of the scene; an unknown one gives a default
+  std::string path;  // key of a number of the scene; an unknown one gives a default
   std::optional<MapAxis> range = std::nullopt;  // nullopt: around the present value
   bool typed = false;  // the user has typed the range: it stays when the value leaves it
 };

@@ -18,7 +18,7 @@ class SceneStudy {
  public:
   explicit SceneStudy(const study::Study& study);
 
-  // Begins with the first stage; gives up what runs.
+  // Starts the first stage; cancels the running one.
   void start(const Scene& scene, double now_s);
   // Gives the computation up; the result stays.
   void stop() { task_.stop(); }
@@ -34,7 +34,7 @@ class SceneStudy {
   [[nodiscard]] double elapsed_s(double now_s) const { return now_s - started_s_; }
   // nullptr: none yet.
   [[nodiscard]] const study::Outcome* result() const { return result_ ? &*result_ : nullptr; }
-  // True if the result is of the last stage; and the time that it took.
+  // complete(): the result is of the last stage. spent_s(): the time that it took.
   [[nodiscard]] bool complete() const { return complete_; }
   [[nodiscard]] double spent_s() const { return spent_s_; }
   // True if the result is of the present scene.

@@ -15,7 +15,7 @@ using draw::Quantity;
 using draw::SampleHistory;
 using file::fixed;
 
-constexpr double kCrossed = 0.25;  // of the extremes, on either side of their middle
+constexpr double kCrossed = 0.25;  // share of the extremes, on either side of their middle
 
 // The tick after the sample before `end`.
 std::uint64_t tick_at(const SampleHistory& history, std::size_t end) {
@@ -78,7 +78,7 @@ Tail tail_of(const SampleHistory& history, const Scene& scene, std::size_t end) 
     run_end.diverged_at_tick = tail.end_tick;
   }
   tail.summary = summarise(scene, stats_of(history, range), {}, std::nullopt, run_end);
-  // The summary knows that the run has diverged by now, and not since when.
+  // The summary contains that the run has diverged, but not when.
   tail.summary.diverged_at_tick.reset();
   const Extremes hand = history.extremes(&PlantTruth::hand_path_m, range);
   tail.hand_moves = hand.maximum > hand.minimum;

@@ -15,10 +15,11 @@
 namespace hapticwall::ui {
 
 struct Tail {
-  std::uint64_t end_tick = 0;  // after the newest sample; 0: none yet
+  std::uint64_t end_tick = 0;  // tick after the newest sample; 0: none yet
   Summary summary;             // its tail and its verdict; the rest is that of the last second
-  std::optional<double> frequency_hz;  // of the position, or of the force if only the force shakes
-  bool hand_moves = false;             // true: the handle moves without shaking
+  // Frequency of the position, or of the force if only the force shakes.
+  std::optional<double> frequency_hz;
+  bool hand_moves = false;  // true: the handle moves without shaking
 };
 using Tails = std::array<Tail, kMaxAxes>;
 

@@ -18,7 +18,7 @@ namespace {
 using compare::PairResult;
 using compare::TrialResult;
 
-constexpr float kFiguresShare = 0.45F;  // of the width; the trials stand in the rest
+constexpr float kFiguresShare = 0.45F;  // share of the width; the trials stand in the rest
 constexpr float kMaxFiguresEms = 38.0F;
 constexpr float kResultGapEms = 1.5F;
 
@@ -79,7 +79,7 @@ void draw_row(const std::array<std::string, kCount>& cells) {
   }
 }
 
-// "wall.stiffness_n_per_m=1000" as "1000" where the keys are those of the other slot.
+// "wall.stiffness_n_per_m=1000" becomes "1000" if the other slot has the same keys.
 std::string short_slot(const std::string& slot, const std::string& other_slot) {
   const std::vector<std::string> texts = file::slot_overrides(slot);
   const std::vector<std::string> others = file::slot_overrides(other_slot);

@@ -19,7 +19,7 @@ namespace {
 
 using compare::Slot;
 
-constexpr float kFieldsShare = 0.5F;  // of the width; the rest explains the test
+constexpr float kFieldsShare = 0.5F;  // share of the width; the rest explains the test
 constexpr float kMaxFieldsEms = 34.0F;
 constexpr float kPageGapEms = 2.0F;
 

@@ -18,7 +18,7 @@ using compare::Presentation;
 constexpr float kBigFontSize = 22.0F;
 constexpr float kProgressEms = 0.3F;  // height
 constexpr float kChooseEms = 2.4F;    // height of the buttons below
-constexpr float kMinFeelEms = 4.0F;   // height of the big buttons, at least
+constexpr float kMinFeelEms = 4.0F;   // minimum height of the big buttons
 constexpr float kMaxFeelEms = 16.0F;  // max height of the big buttons
 constexpr float kMaxPageEms = 62.0F;  // max width of the page
 constexpr float kWaitEms = 16.0F;     // width of the button in a break
@@ -45,7 +45,7 @@ void draw_centred(ImVec2 middle, ImFont* font, float size, ImU32 colour, const c
       ImVec2(middle.x - 0.5F * extent.x, middle.y - 0.5F * extent.y), colour, text);
 }
 
-// The presentation in force is highlighted; others say whether they were felt.
+// Highlights the presentation in force; marks the others as felt or not.
 void draw_feel_button(const PanelContext& context, const BlindTest& test, const Words& words,
                       ImVec2 size) {
   const draw::Theme& theme = context.theme;
@@ -85,7 +85,7 @@ void draw_choose_button(const PanelContext& context, const BlindTest& test, cons
   if (clicked) choose(context, words.presentation);
 }
 
-// Beside progress and stop button where it fits, else above them.
+// Stands beside progress and stop button if it fits, else above them.
 void draw_question(const PanelContext& context, const std::string& question, float room) {
   ImGui::PushFont(context.theme.fonts.strong, draw::kTitleFontSize);
   ImGui::AlignTextToFramePadding();

@@ -10,7 +10,7 @@
 namespace hapticwall::ui {
 namespace {
 
-constexpr float kLockedAlpha = 0.7F;  // of values that cannot change
+constexpr float kLockedAlpha = 0.7F;  // opacity of values that cannot change
 
 // Values that the loop has not echoed yet are dimmed.
 void draw_dimmed(const PanelContext& context, bool dimmed, void (*draw)(const PanelContext&)) {

@@ -15,7 +15,7 @@ namespace {
 using compare::Ghost;
 using compare::TracePoint;
 
-constexpr float kStrength = 0.42F;  // of a line's colour
+constexpr float kStrength = 0.42F;  // opacity relative to the line's colour
 constexpr draw::LineSet kGhostLines = draw::kExtraLines | draw::line_bit(&Sample::penetration_m) |
                                       draw::line_bit(&Sample::energy_hold_j) |
                                       draw::line_bit(&Sample::energy_scv_j) |

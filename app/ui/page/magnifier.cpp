@@ -16,7 +16,7 @@
 namespace hapticwall::ui {
 namespace {
 
-constexpr double kFreeShare = 0.35;   // of the strip, in front of the face
+constexpr double kFreeShare = 0.35;   // share of the strip in front of the face
 constexpr double kRoomToSpare = 0.8;  // magnify more only when the depth needs less than this share
 constexpr double kLookBackS = 0.5;    // window for the choice of the magnification
 constexpr double kFollowS = 0.1;      // window of the motion that must fit to be followed

@@ -15,7 +15,7 @@
 namespace hapticwall::ui {
 namespace {
 
-constexpr float kControlsShare = 0.4F;  // of the width
+constexpr float kControlsShare = 0.4F;  // share of the width
 constexpr float kMinControlsEms = 15.0F;
 constexpr float kMaxControlsEms = 21.0F;
 constexpr float kGapEms = 1.0F;

@@ -77,7 +77,7 @@ constexpr std::array kPages{
          draw_wall,
          false,
          nullptr,
-         kStill | ImGuiWindowFlags_NoBackground},  // its picture covers it
+         kStill | ImGuiWindowFlags_NoBackground},  // the picture covers the background
     Page{{"Contact", "The contact, magnified"}, draw_contact, true, nullptr, kStill},
     Page{{kPlotsPage, "Position, force, stiffness and energy over time"}, draw_plots, true},
     Page{{"Timing", "Timing of the loop and of the window"}, draw_timing, true, notice_timing},

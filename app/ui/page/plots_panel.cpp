@@ -16,11 +16,12 @@ namespace hapticwall::ui {
 namespace {
 
 constexpr double kAxisMovedS = 1e-9;  // a smaller move is a rounding error
-constexpr float kPlotGapEms = 1.6F;   // between two columns of plots
-constexpr float kPlaneShare = 0.38F;  // of the width, for the plane and the table of cursors
+constexpr float kPlotGapEms = 1.6F;   // gap between two columns of plots
+// Share of the width for the phase plane and the table of cursors.
+constexpr float kPlaneShare = 0.38F;
 constexpr float kMinPlaneEms = 20.0F;
 constexpr float kMaxPlaneEms = 34.0F;
-constexpr float kTableShare = 0.45F;  // of the height, below the plane
+constexpr float kTableShare = 0.45F;  // share of the height, below the plane
 
 void set_window(TimeView& time, draw::TimeWindow window) {
   time.from_s = window.from_s;
@@ -91,7 +92,7 @@ void draw_plots(const PlotsState& state, draw::PlotSurface& surface, const draw:
   const auto rows = static_cast<float>(whole_rows);
   const ImVec2 each((free.x - (count - 1.0F) * gap.x) / count,
                     (free.y - (rows - 1.0F) * gap.y) / rows);
-  if (!ImPlot::BeginAlignedPlots("plots")) return;  // one left and one right margin
+  if (!ImPlot::BeginAlignedPlots("plots")) return;  // gives all plots one left and one right margin
   for (std::size_t i = 0; i < plots.size(); ++i) {
     const auto column = static_cast<float>(i % columns);
     const std::size_t row_index = i / columns;
@@ -109,7 +110,7 @@ int side_planes(const PlotsState& plots) {
   return (plots.persisted.phase.shown ? 1 : 0) + (plots.persisted.spectrum.shown ? 1 : 0);
 }
 
-// Draws those that are shown, from the top: the phase plane, the spectrum, the cursor table.
+// Draws the visible ones from the top: the phase plane, the spectrum, the cursor table.
 void draw_side(const PanelContext& context, const draw::PlotSurface& surface,
                const draw::PlotTable& table, ImVec2 corner, ImVec2 size) {
   PlotsState& plots = context.plots;

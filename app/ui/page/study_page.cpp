@@ -18,7 +18,7 @@ namespace {
 
 constexpr float kMinBarEms = 16.0F;
 constexpr float kMinDiagramEms = 20.0F;
-constexpr float kDiagramShare = 0.7F;  // of the page's height
+constexpr float kDiagramShare = 0.7F;  // share of the page's height
 
 std::string why_no_study(const PanelContext& context) {
   if (context.shows.hides_force) return "Hidden until the blind test ends.";
@@ -90,8 +90,8 @@ void draw_lines(const PanelContext& context, const std::string& lines) {
   if (!lines.empty()) muted_text(context, lines.substr(0, lines.size() - 1));
 }
 
-// The cell, as wide as the longest of its column in digits of constant width, so that the numbers
-// stand in line.
+// The cell, padded to the longest one of its column in digits of constant width, so that numbers
+// align.
 std::string padded(const table::Sheet& sheet, std::size_t column, const std::string& cell) {
   if (sheet.columns[column].align == table::Align::kLeft) return cell;
   std::size_t width = 0;

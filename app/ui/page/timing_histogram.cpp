@@ -25,7 +25,7 @@ constexpr double kDecade = 10.0;
 constexpr int kLabelRows = 4;          // one per quantile, so that no labels collide
 constexpr float kTimeLabelEms = 4.0F;  // room on an axis for one label
 constexpr float kCountLabelEms = 2.0F;
-constexpr float kRoomForTimesEms = 17.0F;  // width of a plot whose labels tell their times
+constexpr float kRoomForTimesEms = 17.0F;  // minimum width of a plot whose labels show their times
 
 struct Bar {
   std::int64_t from_ns;
@@ -125,7 +125,7 @@ const Bar* draw_bars(const draw::Theme& theme, const std::vector<Bar>& bars, dra
     const float top = ImPlot::PlotToPixels(kMinTimeNs, static_cast<double>(bar.count)).y;
     const bool here = pointed && pointer.x >= left && pointer.x < right;
     if (here) under = &bar;
-    // One pixel between wide bars.
+    // Leaves one pixel between wide bars.
     const float gap = right - left > 3.0F ? 1.0F : 0.0F;
     list->AddRectFilled(ImVec2(left, top), ImVec2(right - gap, foot),
                         theme.packed(tone, here ? 1.0F : kAlpha));

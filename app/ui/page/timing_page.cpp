@@ -19,12 +19,12 @@ namespace hapticwall::ui {
 namespace {
 
 constexpr std::size_t kCyclesForAVerdict = 1000;
-constexpr float kSideShare = 0.34F;  // of the width, for the figures
+constexpr float kSideShare = 0.34F;  // share of the width for the statistics
 constexpr float kMinSideEms = 24.0F;
 constexpr float kMaxSideEms = 34.0F;
 constexpr float kMinPlotEms = 9.0F;
 constexpr float kColumnGapEms = 1.5F;
-constexpr float kMinRowEms = 54.0F;       // with less width the figures stand below the plots
+constexpr float kMinRowEms = 54.0F;  // minimum width; below it the statistics stand under the plots
 constexpr float kStackedPlotEms = 14.0F;  // height of the plots then
 constexpr float kMinFramesEms = 5.0F;
 

@@ -135,7 +135,8 @@ float most_rows() {
   std::size_t rows = 0;
   for (const AlgorithmDescription& algorithm : algorithms())
     rows = std::max(rows, algorithm.parameters.size());
-  return static_cast<float>(rows + 1) * ImGui::GetFrameHeightWithSpacing();  // one row for "then"
+  // Plus one row for "then".
+  return static_cast<float>(rows + 1) * ImGui::GetFrameHeightWithSpacing();
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The strip at the top: whether a real device pushes. A simulator has none.
+// The strip at the top shows whether a real device exerts force. A simulator has none.
 #pragma once
 
 #include <string>

@@ -13,7 +13,7 @@ namespace {
 
 using compare::Slot;
 
-constexpr float kNameAtEms = 1.6F;  // behind the slot's letter
+constexpr float kNameAtEms = 1.6F;  // start of the name, behind the slot's letter
 
 // Switch beside the heading: shows the other slot's contact in the plots.
 void draw_ghost_switch(const PanelContext& context) {
@@ -31,7 +31,7 @@ void draw_ghost_switch(const PanelContext& context) {
   explain("Draws the other slot's newest contact over the present one in the plots.");
 }
 
-// Draws the button at the right end of its row where it fits, else below.
+// Draws the button at the right end of its row if it fits, else below.
 void draw_take_button(const PanelContext& context, Slot slot, float name_ends, float right) {
   ImGui::PushFont(nullptr, draw::kSmallFontSize);
   const std::string label = fmt::format("take present###take {}", compare::slot_name(slot));

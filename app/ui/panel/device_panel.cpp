@@ -106,7 +106,7 @@ void draw_rows(const PanelContext& context, std::span<const ParameterText> rows)
   }
 }
 
-// A wheel of the kernel tells when it moved, and nothing else.
+// A wheel of the kernel reports only the time of its last motion.
 void draw_wheel(const PanelContext& context, const device::LinkStats& link) {
   figure_row(context, "changes", fmt::format("{}", link.states), draw::Tone::kText,
              "Positions heard since the start. The kernel tells of changes only: silence is rest.");

@@ -16,10 +16,10 @@ namespace {
 constexpr float kRadiusEms = 0.36F;
 constexpr float kGlowEms = 0.62F;
 constexpr float kGlowAlpha = 0.22F;
-constexpr float kTextAtEms = 1.25F;  // behind the lamp
+constexpr float kTextAtEms = 1.25F;  // start of the text, behind the lamp
 constexpr const char* kRemarkMark = " · ";
 
-// Three digits at least, and no exponent.
+// At least three digits, and no exponent.
 std::string energy_text(double energy_j) {
   if (std::abs(energy_j) >= 1.0) return fmt::format("{:.2f} J", energy_j);
   return fmt::format("{:.1f} mJ", energy_j * kMillijoulesPerJoule);
@@ -31,7 +31,7 @@ const char* blame_text(EnergyBlame blame) {
   return blame == EnergyBlame::kControlLaw ? "the control law" : "nobody";
 }
 
-// One of the two observers misses what the other one sees, as in the paper.
+// One observer misses energy that the other one sees, as in the paper.
 std::string remark_of(const EnergyStory& story) {
   if (story.blame == EnergyBlame::kHold && story.control_law_j <= 0.0)
     return "the observer (Eq. 6) sees nothing";

@@ -11,7 +11,7 @@ void draw_replay_bar(const PanelContext& context, session::ReplaySession& replay
 // Shows the progress while a large recording opens.
 void draw_opening(const PanelContext& context);
 
-// Seeks, and lets the plots follow.
+// Seeks; the plots follow.
 void go_to(const PanelContext& context, session::ReplaySession& replay, double time_s);
 
 // Key actions: the speed of a replay, or the slow motion of a simulator.
@@ -19,7 +19,7 @@ void slower(const PanelContext& context);
 void faster(const PanelContext& context);
 // Key actions during a replay only; no effect otherwise.
 void toggle_loop(const PanelContext& context);
-void step_back(const PanelContext& context);  // one tick, while paused
+void step_back(const PanelContext& context);  // Goes back by one tick, while paused.
 void previous_mark(const PanelContext& context);
 void next_mark(const PanelContext& context);
 

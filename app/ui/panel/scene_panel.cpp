@@ -54,7 +54,7 @@ void draw_figure_buttons(const PanelContext& context) {
   }
 }
 
-// Beside the heading, so that its appearance moves nothing.
+// Stands beside the heading, so that nothing moves when it appears.
 void draw_way_back(const PanelContext& context) {
   if (context.shows.live == nullptr) return;
   const Scene& loaded = context.scene.loaded;

@@ -14,11 +14,11 @@ void toggle_help(const PanelContext& context);
 void show_more(WindowState& window, PlotsState& plots);
 
 void draw_scene_section(const PanelContext& context);
-// Asks for a built-in scene, with its own algorithm or the one named.
+// Requests a built-in scene, with its own algorithm or the named one.
 void want_builtin(const PanelContext& context, std::string_view name, std::string_view algorithm);
 void draw_algorithm_section(const PanelContext& context);
 void draw_compare_section(const PanelContext& context);
-void draw_wall_section(const PanelContext& context);  // of the shown axis
+void draw_wall_section(const PanelContext& context);  // Section for the walls of the shown axis.
 void draw_hand_section(const PanelContext& context);
 void draw_device_section(const PanelContext& context);
 

@@ -201,7 +201,7 @@ void draw_session_bar(const PanelContext& context, session::LiveSession& live) {
   draw_overflow_row(context, "session", controls);
 }
 
-// Below the reset button; R again agrees, Esc does not.
+// Question below the reset button; R again confirms, Esc cancels.
 void draw_reset_question(const PanelContext& context) {
   constexpr const char* kPopup = "reset the recording";
   Question& question = context.recording.reset_question;

@@ -18,7 +18,7 @@ void single_step(const PanelContext& context);
 void ask_to_reset(const PanelContext& context);
 void reset_session(const PanelContext& context);
 void toggle_recording(const PanelContext& context);
-// False, with a message, where nothing is recorded.
+// False, with a message, if nothing is being recorded.
 [[nodiscard]] bool add_mark(const PanelContext& context);
 // add_mark(); then the keyboard names the mark.
 void mark_and_name(const PanelContext& context);

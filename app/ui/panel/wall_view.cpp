@@ -20,8 +20,8 @@ namespace {
 
 constexpr double kTurnPerPixel = glm::radians(0.3);
 constexpr double kZoomPerNotch = 1.15;
-constexpr float kReadoutGap = 0.25F;      // between its rows, of the usual gap
-constexpr float kMinReadoutShare = 0.6F;  // of its usual size of text
+constexpr float kReadoutGap = 0.25F;      // gap between the rows, as a share of the usual gap
+constexpr float kMinReadoutShare = 0.6F;  // smallest text, as a share of the usual size
 
 ViewDrag drag_of_button() {
   if (ImGui::IsMouseClicked(ImGuiMouseButton_Right)) return ViewDrag::kTurn;
@@ -200,13 +200,13 @@ WallPicture shown_picture(const PanelContext& context) {
   WallPicture picture = wall_picture(scene_to_show(context), context.snapshot.newest);
   WallState::Transient& transient = context.wall.transient;
   if (context.shows.hides_force) {
-    // Both walls look the same: the handle is where a rigid wall would hold the hand.
+    // Both walls must look the same: draws the handle where a rigid wall would hold the hand.
     picture.hides_stiffness = true;
     picture.handle_m = held_by_walls(picture, picture.hand_m.value_or(glm::dvec2(0.0)));
     picture.force_n = {};
     picture.saturated = false;
     picture.shown = {};
-    transient.shown = {};  // also right after the test
+    transient.shown = {};  // also cleared right after the test
     return picture;
   }
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {

@@ -53,7 +53,7 @@ void feel(const PanelContext& context, compare::Presentation presentation);
 // Answers this trial, and stores the answer to a trial of a list first; an answer that cannot be
 // stored does not count. The test ends after the last trial.
 void choose(const PanelContext& context, compare::Presentation presentation);
-// The test runs no more, and has its results.
+// Ends the test and computes its results.
 void finish(BlindTest& test);
 // Ends the test with the trials answered so far. The last wall stays in force, and undo goes back.
 void end_blind_test(const PanelContext& context);

@@ -20,10 +20,10 @@ namespace hapticwall::ui {
 // A finite number as people type it: 35000.5, 35000,5, 3.5e4, 35k, 35 k, 0.2M; nullopt otherwise,
 // and for 35,000, which is 35 to some and 35000 to others.
 [[nodiscard]] std::optional<double> parse_number(std::string_view text);
-// Why a text is none, in a line.
+// Reason why a text is no number, in one line.
 [[nodiscard]] std::string no_number(std::string_view text);
 
-// Ten significant digits at most, so that no rounding noise is shown.
+// Rounds to at most ten significant digits, so that no rounding noise is shown.
 [[nodiscard]] std::string rounded_number(double value);
 
 // The text for the value of a part that is absent.

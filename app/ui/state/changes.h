@@ -26,8 +26,8 @@ struct AskedFor {
 };
 [[nodiscard]] AskedFor asked_for(const PanelContext& context);
 
-// Asks for the scene of the previous or the next step, with a new session where it needs one.
-// Harmless where there is no such step.
+// Requests the scene of the previous or the next step, with a new session if it needs one. Harmless
+// without such a step.
 void undo_change(const PanelContext& context);
 void redo_change(const PanelContext& context);
 

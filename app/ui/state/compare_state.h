@@ -62,14 +62,14 @@ struct CompareState {
     std::string question = file::kUsualQuestion;
     std::size_t trials = 20;
     double confidence = compare::TrialPlan{}.confidence;
-    bool masking_noise = true;  // plays in the place of the sound
+    bool masking_noise = true;  // noise replaces the sound
   } persisted;
 
   // Lives as long as the window.
   struct Transient {
-    std::optional<compare::ContactTraces> comparison;  // of the session that runs
-    std::optional<EnergyLamp> lamp;                    // of the session that runs
-    double lamp_encoder_m = 0.0;                       // of the encoder, for `lamp`
+    std::optional<compare::ContactTraces> comparison;  // traces of the running session
+    std::optional<EnergyLamp> lamp;                    // lamp of the running session
+    double lamp_encoder_m = 0.0;                       // resolution of the encoder, for `lamp`
     std::optional<ShownGhost> shown_ghost;
     std::optional<BlindTest> test;
     bool setting_up = false;  // the set-up page is open although a result exists

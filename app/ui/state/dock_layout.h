@@ -36,7 +36,7 @@ struct DockPart {
   double share = 0.5;             // size of the first part,
   double ems = 0.0;               // or, unless 0, in text sizes: > 0 of the first, < 0 the second
   std::vector<DockPart> parts;    // two of a split
-  std::vector<std::string> tabs;  // of a leaf
+  std::vector<std::string> tabs;  // tabs of a leaf
   std::size_t front = 0;          // index of the tab in front
 
   [[nodiscard]] bool empty() const { return parts.empty() && tabs.empty(); }

@@ -16,9 +16,9 @@ namespace hapticwall::ui {
 
 // Description of the exported session.
 struct ExportSource {
-  Scene scene;  // as it is now
+  Scene scene;  // scene at the time of the export
   bool simulated = true;
-  std::string device;  // for people
+  std::string device;  // name for people
 };
 
 // Writes the samples of the range as a recording: CSV and sidecar, both only when they are

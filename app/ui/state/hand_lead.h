@@ -41,7 +41,7 @@ class HandLead {
   double burst_s_ = 0.0;       // begin of the newest burst
   double frame_s_ = 0.0;       // time of the newest frame
   double arrival_s_ = 0.0;     // when the hand gets to `sent_`
-  bool grabbed_ = false;       // in this frame
+  bool grabbed_ = false;       // grabbed in this frame
 };
 
 }  // namespace hapticwall::ui

@@ -25,13 +25,13 @@ enum class KeyGroup : std::uint8_t {
 
 struct KeyBinding {
   KeyGroup group = KeyGroup::kWindow;
-  std::string what;                   // for people, a few words
+  std::string what;                   // purpose in a few words
   std::vector<ImGuiKeyChord> chords;  // any of these
   std::function<void(const PanelContext&)> act;
-  std::vector<ImGuiKeyChord> more = {};  // also these; the help omits them
-  ImWchar character = 0;                 // also this character, on any keyboard layout
+  std::vector<ImGuiKeyChord> more = {};  // alternative keys; the help omits them
+  ImWchar character = 0;                 // alternative character, on any keyboard layout
   bool repeats = false;                  // while it is held down
-  bool always = false;                   // also while text is typed, with any modifier
+  bool always = false;                   // true: active also while text is typed, with any modifier
 };
 
 }  // namespace hapticwall::ui

@@ -14,7 +14,7 @@ namespace hapticwall::ui {
 // The user moves a slider: the scene changes from frame to frame.
 [[nodiscard]] bool scene_in_motion();
 
-// Asks for this scene, with a new session where it needs one. Nothing while a recording is shown.
+// Requests this scene, with a new session if it needs one. No effect while a recording is shown.
 void make_running(const PanelContext& context, const Scene& wanted);
 
 }  // namespace hapticwall::ui

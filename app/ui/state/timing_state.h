@@ -65,7 +65,7 @@ struct TimingState {
   session::Quantiles compute_time;
   FrameTimes frames;
   bool clear_asked = false;  // clears from the next frame on
-  bool page_seen = false;    // in the last frame
+  bool page_seen = false;    // the page was visible in the last frame
 
   [[nodiscard]] bool since_start() const { return cleared.histograms.wake_latency.total() == 0; }
 };

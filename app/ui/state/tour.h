@@ -19,13 +19,13 @@ struct Sight {
 };
 
 struct TourStep {
-  std::string_view lesson;  // its title
-  std::string_view text;    // what to do, and what the strip then says; also in README.md
+  std::string_view lesson;  // title of the lesson
+  std::string_view text;    // instruction, and the expected text of the strip; also in README.md
   bool (*done)(const Sight& sight);
 };
 [[nodiscard]] std::span<const TourStep> tour_steps();
 
 inline constexpr std::string_view kTourScene = "press";
-inline constexpr std::string_view kTourAlgorithm = "none";  // that it begins with
+inline constexpr std::string_view kTourAlgorithm = "none";  // algorithm at the start
 
 }  // namespace hapticwall::ui

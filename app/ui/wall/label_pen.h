@@ -23,7 +23,7 @@ struct ViewArea {
 inline constexpr float kBehindText = 0.72F;
 
 struct Label {
-  ImVec2 place;  // of its middle; it is kept inside the picture
+  ImVec2 place;  // position of its middle; it is kept inside the picture
   draw::Tone tone;
   std::string text;
   // The line to its object, if the two differ.
@@ -34,7 +34,7 @@ struct Label {
 // Places in the picture's units become pixels of the window.
 class LabelPen {
  public:
-  // `taken`: where no label is written.
+  // `taken`: areas that no label may cover.
   LabelPen(const draw::Theme& theme, const WallCamera& camera, const ViewArea& area,
            std::span<const draw::PixelBox> taken);
 

@@ -8,7 +8,7 @@ namespace hapticwall::ui {
 namespace {
 
 constexpr std::uint32_t kSegments = 32;  // around an axis
-constexpr std::uint32_t kRings = 16;     // of a sphere, pole to pole
+constexpr std::uint32_t kRings = 16;     // rings of a sphere, pole to pole
 
 // A ring of vertices around the x axis.
 void add_ring(Shape& shape, float x, float radius, float normal_x) {

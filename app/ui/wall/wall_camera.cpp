@@ -8,7 +8,7 @@ namespace hapticwall::ui {
 namespace {
 
 constexpr double kMinExtentM = 0.02;
-constexpr double kFreeSideMargin = 0.32;  // of the extent: the handle's body lies there
+constexpr double kFreeSideMargin = 0.32;  // share of the extent; room for the body of the handle
 constexpr double kWallSideMargin = 0.12;
 
 constexpr double kFieldOfView = glm::radians(20.0);
@@ -17,10 +17,10 @@ constexpr double kBehind = 60.0;  // reach of the picture beyond the middle of t
 
 // Initial view and limits of the rotation.
 struct View {
-  double yaw_rad;    // from the front towards the wall's side
-  double pitch_rad;  // above the level of the axes
+  double yaw_rad;    // angle from the front towards the wall's side
+  double pitch_rad;  // angle above the plane of the axes
   double lowest_pitch_rad;
-  double half_width;  // to be seen around the target, in the picture's units
+  double half_width;  // half of the visible extent around the target, in the picture's units
   double half_height;
   glm::dvec3 target;
 };

@@ -12,7 +12,7 @@ namespace {
 
 constexpr float kFloorSize = 40.0F;
 constexpr double kGridLines = 6.0;  // minimum on an extent
-constexpr float kDarkness = 0.85F;  // of shadows, in a dark theme
+constexpr float kDarkness = 0.85F;  // darkness of shadows, in a dark theme
 constexpr float kLightness = 0.5F;  // threshold of a light theme
 constexpr float kDarknessInLight = 0.50F;
 constexpr float kFloorTone = 0.045F;  // share of the text colour in the floor
@@ -112,7 +112,7 @@ void WallFloor::draw(const WallView& view, int height) const {
 void WallFloor::draw_shadow(const WallView& view) const {
   const auto& [picture, camera, theme] = view;
   constexpr float kRadius = WallMeasures::kHandleRadius;
-  constexpr float kReach = 2.3F * kRadius;  // as in the shader
+  constexpr float kReach = 2.3F * kRadius;  // same value as in the shader
   const glm::vec3 ball = ball_centre(picture.two_axes, camera, swept_place(picture).from_m);
   const float length = picture.two_axes ? 0.0F : WallMeasures::kHandleLength - kRadius;
   const glm::vec2 middle = glm::vec2(ball.x - 0.5F * length, ball.z) + kShadowShift;

@@ -15,11 +15,11 @@
 namespace hapticwall::ui {
 namespace {
 
-constexpr float kRulerFront = 0.25F;  // of the ruler, in front of the walls
+constexpr float kRulerFront = 0.25F;  // place of the ruler, in front of the walls
 constexpr float kTickHalf = 3.0F;     // pixels
 constexpr float kMinArrow = 0.04F;    // shorter arrows have no label
 constexpr float kBelowArrow = 2.8F;   // lines from above the arrow to below it
-constexpr double kSameForce = 0.01;   // share of the full scale that the label does not tell apart
+constexpr double kSameForce = 0.01;   // share of the full scale; smaller differences get one label
 constexpr const char* kTruePlace = "true place";
 
 // Draws the ruler of one axis, with as many marks as fit.
@@ -83,7 +83,7 @@ void draw_wall_names(LabelPen& pen, const WallPicture& picture, const WallCamera
   std::sort(names.begin(), names.end(), is_left_of);
   float free_from = -1e6F;
   for (const Name& name : names) {
-    // A wall whose top is outside is named at the edge of the picture.
+    // A wall whose top is outside the picture has its name at the edge.
     if (!pen.within(ImVec2(name.thing.x, std::max(name.thing.y, pen.area().corner.y)))) continue;
     const float half = 0.5F * ImGui::CalcTextSize(name.text.c_str()).x;
     const float x = picture.two_axes ? name.thing.x : std::max(name.thing.x, free_from + half);
@@ -94,7 +94,7 @@ void draw_wall_names(LabelPen& pen, const WallPicture& picture, const WallCamera
   }
 }
 
-// Names below their objects, pushed apart where they would overlap.
+// Writes names below their objects, pushed apart if they would overlap.
 void draw_names_below(LabelPen& pen, std::vector<Name> names, float level) {
   const float gap = ImGui::GetFontSize();
   std::sort(names.begin(), names.end(), is_left_of);
@@ -186,8 +186,8 @@ void draw_force(LabelPen& pen, const WallPicture& picture, const WallCamera& cam
   const glm::dvec2 place_m = swept_place(picture).to_m;
   const glm::vec3 from = picture.two_axes ? ball_centre(true, camera, place_m)
                                           : camera.point_of(place_m, WallMeasures::kArrowHeight);
-  // Above the middle of the arrow, else below it. With two axes beyond its tip, because the arrow
-  // may point towards the viewer.
+  // Stands above the middle of the arrow, else below it. With two axes, stands beyond its tip,
+  // because the arrow may point towards the viewer.
   const glm::vec3 along(arrow.x, 0.0F, -arrow.y);
   const glm::vec3 beside = picture.two_axes ? from + (1.0F + 0.8F / glm::length(along)) * along
                                             : from + 0.5F * along + glm::vec3(0.0F, 0.3F, 0.0F);

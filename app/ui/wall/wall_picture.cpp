@@ -10,7 +10,7 @@ constexpr double kDefaultFullScaleN = 10.0;  // if the device has no force limit
 constexpr double kMinFullScaleN = 1e-9;
 constexpr double kMinStiffnessNPerM = 1.0;
 constexpr double kSettledTint = 1e-3;  // a tint this near has settled
-constexpr float kMiddleShare = 0.5F;   // of the middle colour of stiffness
+constexpr float kMiddleShare = 0.5F;   // position of the middle colour of stiffness
 
 double towards(double from, double to, double share) {
   const double value = from + share * (to - from);

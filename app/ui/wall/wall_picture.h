@@ -54,7 +54,7 @@ struct WallPicture {
   glm::dvec2 handle_m{0.0};  // true position
   Reach handle_reach_m;
   std::optional<glm::dvec2> hand_m;
-  std::vector<PictureWall> walls;  // on each axis the outermost first
+  std::vector<PictureWall> walls;  // outermost wall of each axis first
   bool hides_stiffness = false;    // no number and no bar of it
   glm::dvec2 force_n{0.0};         // F_d; positive pushes out of the wall
   Reach force_reach_n;
@@ -70,7 +70,7 @@ struct WallPicture {
 struct Swept {
   draw::Extremes place_m;  // true positions of the handle
   draw::Extremes force_n;
-  std::uint64_t end_tick = 0;  // after the newest sample; 0: none yet
+  std::uint64_t end_tick = 0;  // tick after the newest sample; 0: none yet
 };
 // Costs nothing without a new sample.
 void note_swept(Swept& swept, const draw::SampleHistory& history);
@@ -79,7 +79,7 @@ void note_swept(Swept& swept, const draw::SampleHistory& history);
 [[nodiscard]] WallPicture wall_picture(const Scene& scene, const Tick& tick);
 // wall_picture() for a scene of one axis.
 [[nodiscard]] WallPicture wall_picture(const Scene& scene, const Sample& sample);
-// Extends the picture of the instant by what was since the last frame.
+// Extends the picture of the present tick by the values since the last frame.
 void sweep(WallPicture& picture, Axis axis, const Swept& swept);
 
 // The first wall of an axis; null without one.
@@ -87,7 +87,7 @@ void sweep(WallPicture& picture, Axis axis, const Swept& swept);
 
 // The place where rigid walls would hold a tip: on every face that it has passed.
 [[nodiscard]] glm::dvec2 held_by_walls(const WallPicture& picture, glm::dvec2 place_m);
-// That of the handle. Nullopt out of contact.
+// Place at which rigid walls would hold the handle. Nullopt out of contact.
 [[nodiscard]] std::optional<glm::dvec2> proxy_of(const WallPicture& picture);
 
 // The handle's place from the free side to the deepest since the last frame, both at the proxy.
@@ -146,18 +146,20 @@ struct WallView {
 struct WallMeasures {
   static constexpr float kHandleRadius = 0.42F;
   static constexpr float kHandleLength = 2.7F;
-  static constexpr float kStylusLength = 2.6F;  // of a handle that moves on two axes
-  static constexpr float kSleeveFrom = 2.3F;    // of the hand around the handle, behind the tip
+  static constexpr float kStylusLength = 2.6F;  // length of a handle that moves on two axes
+  // Start of the sleeve, the hand around the handle; behind the tip.
+  static constexpr float kSleeveFrom = 2.3F;
   static constexpr float kSleeveTo = 1.35F;
   static constexpr float kSleeveRadius = 0.46F;
-  static constexpr float kArrowHeight = 0.95F;  // of the arrow above a single axis
+  static constexpr float kArrowHeight = 0.95F;  // height of the arrow above a single axis
   static constexpr float kMaxArrow = 3.4F;
   static constexpr float kFloor = -1.25F;
   static constexpr float kWallTop = 1.65F;
-  static constexpr float kWallHalfDepth = 1.5F;  // of a wall on a single axis
+  static constexpr float kWallHalfDepth = 1.5F;  // half depth of a wall on a single axis
   static constexpr float kFarEnd = 6.2F;         // end of the last wall
-  static constexpr float kCornerTop = 0.75F;     // of walls on two axes: lower, to look over them
-  static constexpr float kCornerFront = 4.6F;    // end of these walls in free space
+  // Height of walls on two axes: lower, so that they hide nothing.
+  static constexpr float kCornerTop = 0.75F;
+  static constexpr float kCornerFront = 4.6F;  // end of these walls in free space
 
   [[nodiscard]] static float wall_top(const WallPicture& picture) {
     return picture.two_axes ? kCornerTop : kWallTop;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kSamplesPerPixel = 4;
 constexpr int kStillCalls = 10;         // calls without change before a draft is refined
-constexpr double kStepsPerPixel = 8.0;  // for the places that move
+constexpr double kStepsPerPixel = 8.0;  // precision of the places that move
 constexpr double kForceSteps = 2000.0;  // steps of force in the full scale
 constexpr double kMinScaleN = 1e-9;
 constexpr double kShades = 200.0;  // steps of the tint
@@ -68,7 +68,7 @@ class Renderer final : public WallRenderer {
   void set_draft_share(float share) override {
     if (share == draft_share_) return;
     draft_share_ = share;
-    last_ground_.reset();  // it has another size
+    last_ground_.reset();  // the picture has another size
   }
   [[nodiscard]] bool refined() const override { return refined_; }
   [[nodiscard]] std::uint64_t times_drawn() const override { return times_drawn_; }

@@ -182,7 +182,8 @@ void WallSolids::draw_swept_handle(const WallView& view) const {
   ball(to, WallMeasures::kHandleRadius, colour);
 }
 
-// A sleeve around the handle's rod where the hand would hold it, and the tip that it aims at.
+// A sleeve around the handle's rod where the hand would hold it, and the tip at the hand's intended
+// position.
 void WallSolids::draw_hand(const WallView& view) const {
   const auto& [picture, camera, theme] = view;
   if (!picture.hand_m) return;

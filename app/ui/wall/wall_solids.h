@@ -24,8 +24,8 @@ struct WallSlab {
   float end = 0.0F;  // the next wall's face, or the last wall's end
   float along_from = 0.0F;
   float along_to = 0.0F;
-  float tip = 0.0F;        // of the handle, into the wall
-  float tip_along = 0.0F;  // where the handle touches
+  float tip = 0.0F;        // position of the handle, into the wall
+  float tip_along = 0.0F;  // position along the face where the handle touches
 };
 [[nodiscard]] WallSlab wall_slab(const WallPicture& picture, const WallCamera& camera,
                                  const PictureWall& wall);
@@ -38,7 +38,7 @@ class WallSolids {
   // Needs a current OpenGL 3.3 context for its whole life.
   [[nodiscard]] static Result<WallSolids> create();
 
-  // Into the bound target, whose depth is clear.
+  // Draws into the bound target, whose depth is clear.
   void draw(const WallView& view) const;
 
  private:

@@ -19,7 +19,7 @@ namespace {
 
 constexpr double kMicrometresPerMetre = 1e6;
 constexpr float kPieceHeight = 4.0F;    // pixels of a wall that gives way
-constexpr float kDentWidth = 0.16F;     // of the strip's height
+constexpr float kDentWidth = 0.16F;     // share of the strip's height
 constexpr float kTickShare = 0.08F;     // length of an encoder tick, of the strip's height
 constexpr double kClosestCounts = 3.0;  // pixels; closer ones are not drawn
 constexpr double kBarPixels = 110.0;
@@ -53,7 +53,7 @@ float dent_share(const Strip& strip, float level) {
   return std::exp(-0.5F * away * away);
 }
 
-// Between two faces, or from a face to the right edge: only where the handle is, they are bent.
+// Draws from one face to the next, or to the right edge. Faces are bent only near the handle.
 void draw_layer(const Brush& brush, double face_m, const double* next_m, ImU32 fill, ImU32 edge) {
   const Strip& strip = brush.strip;
   const double tip_m = brush.content.picture->handle_m.x;
@@ -249,7 +249,7 @@ void draw_scale_bar(const Brush& brush) {
              draw::Tone::kText, words);
 }
 
-// One quantity against age, in pieces that are fainter the older they are.
+// Draws one quantity against its age, in pieces that fade with age.
 void draw_trail_line(const Strip& strip, const draw::Trace& trace, double newest_s, ImVec4 colour,
                      bool steps, ImDrawList* list) {
   constexpr double kPieces = 10.0;

@@ -32,11 +32,11 @@ struct Strip {
   static constexpr float kTrailShare = 0.50F;
 };
 
-inline constexpr double kTrailS = 0.25;  // of the handle's motion, shown below it
+inline constexpr double kTrailS = 0.25;  // length of the handle's trail, shown below it
 
 struct StripContent {
   const WallPicture* picture = nullptr;  // along its x axis
-  double face_m = 0.0;                   // of the wall that the figures refer to
+  double face_m = 0.0;                   // face of the wall that the numbers refer to
   double measured_m = 0.0;
   std::optional<double> encoder_m;
 };

@@ -11,7 +11,7 @@
 namespace hapticwall::ui {
 
 struct RowControl {
-  float width = 0.0F;  // pixels of the row, whatever the control shows
+  float width = 0.0F;  // width in the row, px, constant for every content
   int rank = 0;        // the smallest stays longest
   std::function<void()> draw;
   std::string refusal = {};     // key of the line below its field, see refuse()

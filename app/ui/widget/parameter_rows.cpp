@@ -132,7 +132,7 @@ void change_parameters(const PanelContext& context, const std::string& key,
   const auto problem = ask_for(context, wanted);
   context.edit.refusal.reset();
   if (!problem) return;
-  // A problem of this key needs no key name beside its own field.
+  // A problem of this key omits the key's name, because its field stands beside it.
   const bool own = problem->key == key || problem->key.empty();
   refuse(context, key, own ? problem->message : problem->key + ": " + problem->message);
 }

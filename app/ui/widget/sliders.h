@@ -12,7 +12,7 @@ namespace hapticwall::ui {
 struct LogRange {
   double minimum = 1.0;  // more than 0
   double maximum = 10.0;
-  bool zero_at_left = false;  // the left end stands for 0
+  bool zero_at_left = false;  // true: the left end means 0
 };
 
 // Slider position (0 to 1) and value. Values have three digits, the resolution of the slider.
@@ -38,7 +38,7 @@ struct NumberRow {
   std::string_view unit;
   std::string_view tooltip;
   double value = 0.0;
-  std::optional<LogRange> range = std::nullopt;  // of the slider; nullopt: no slider
+  std::optional<LogRange> range = std::nullopt;  // range of the slider; nullopt: no slider
 };
 // Returns the value that the user has typed, or to which the slider is dragged.
 [[nodiscard]] std::optional<double> number_row(const PanelContext& context, const NumberRow& row);

@@ -159,7 +159,7 @@ void Application::frame() {
   settings_.pass(state_, static_cast<double>(ImGui::GetIO().DeltaTime));
 }
 
-// A loop that gave up says so itself.
+// A loop that gave up reports that itself.
 void Application::note_loop(const session::Snapshot& snapshot) {
   const bool runs = live_ && !snapshot.ended_by_fault;
   note_answer(state_.timing.answer, runs ? &snapshot : nullptr,
@@ -187,7 +187,7 @@ void Application::heed_sound(const session::Snapshot& snapshot) {
   note_sound();
 }
 
-// Without a card the switch goes back, and one sentence says why.
+// Without a card, switches the sound off again and gives the reason in one sentence.
 void Application::note_sound() {
   SoundChoice& sound = state_.sound;
   sound.status = sound_.status();
@@ -195,7 +195,7 @@ void Application::note_sound() {
     state_.toasts.tell(MessageKind::kNote, describe(sound.status));
 }
 
-// Looks at the newest moment, or at that under the pointer in plots that stand still.
+// Shows the newest sample, or the one under the pointer while plots are frozen.
 void Application::look_at_moment(session::Snapshot& snapshot) {
   const std::optional<double> looked_at_s = std::exchange(state_.time.looked_at_s, {});
   note_tails(state_.tails, history_, session().scene(), looked_at_s);
@@ -310,7 +310,7 @@ bool Application::start_anew(const Scene& scene,
         MessageKind::kProblem,
         failure->message + "; this is the simulator now: start the program again for the device");
     failure = start_session(scene);
-    if (failure) throw std::runtime_error(failure->message);  // nothing is left to show
+    if (failure) throw std::runtime_error(failure->message);  // no session is left to show
   }
   if (failure) {
     tell(state_.toasts, *failure);

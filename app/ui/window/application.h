@@ -46,12 +46,12 @@ class Application {
   // Options besides the scene.
   struct Options {
     std::string settings_path;          // empty: settings are neither read nor kept
-    std::string recording_folder;       // empty: the one of the settings
+    std::string recording_folder;       // folder; empty: the one of the settings
     std::optional<float> forced_scale;  // empty: the settings, or the screen
     std::string opened_file;            // file of the scene; empty: built in
     std::function<double()> now_s;      // clock of pointer events; empty: that of Dear ImGui
     std::shared_ptr<session::Experiment> experiment = nullptr;  // begins at once; null: none
-    bool records_signals = false;  // true even if the settings do not say so
+    bool records_signals = false;  // true: records signals even if the settings do not
   };
 
   // Needs current contexts of OpenGL 3.3, ImGui and ImPlot for its whole life. Starts a session, on
@@ -96,7 +96,7 @@ class Application {
     if (live_) return *live_;
     return *replay_;
   }
-  // One of these two is null.
+  // Exactly one of the two is null.
   [[nodiscard]] session::LiveSession* live() { return live_.get(); }
   [[nodiscard]] session::ReplaySession* replay() { return replay_.get(); }
   [[nodiscard]] UiState& state() { return state_; }
@@ -147,7 +147,7 @@ class Application {
   std::unique_ptr<session::ReplaySession> replay_;  // null while a session is live
   std::unique_ptr<WallRenderer> renderer_;
   draw::Theme theme_;
-  draw::Look look_ = draw::Look::kScreen;  // in force, like the scale
+  draw::Look look_ = draw::Look::kScreen;  // look in force, as the scale
   float scale_ = 0.0F;
   SettingsFile settings_;
   file::PluginWatch plugins_;
@@ -172,7 +172,7 @@ class Application {
   draw::TickHistory history_;
   std::vector<Tick> incoming_;
   PaintGate paint_gate_;
-  bool samples_came_ = false;  // in the last frame
+  bool samples_came_ = false;  // samples came in the last frame
   sound::SoundPlayer sound_;
 };
 

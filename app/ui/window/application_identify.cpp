@@ -1,4 +1,5 @@
-// The session of an identification, in the place of the user's: only one of them holds the device.
+// The session of an identification replaces the user's, because only one session can hold the
+// device.
 #include <string>
 #include <utility>
 
@@ -38,7 +39,7 @@ void Application::heed_identify(const session::Snapshot& snapshot) {
   if (identify.experiment->look(snapshot)) end_identify(snapshot);
 }
 
-// Event that makes the experiment's record worthless; empty if there is none.
+// Event that invalidates the experiment's record; empty if there is none.
 std::string Application::interruption(const session::Snapshot& snapshot) const {
   if (state_.scene.wanted || live_->generation() != before_identify_.generation)
     return "the scene was changed";

@@ -58,7 +58,7 @@ Function* loaded_function(const char* library, const char* name) {
   return function;
 }
 
-// nullptr: Xlib's own handlers.
+// nullptr: the handlers of Xlib.
 void set_handlers(int (*lost)(void*), int (*refused)(void*, void*)) {
   constexpr const char* kXlib = "libX11.so.6";
   if (auto* set = loaded_function<void*(int (*)(void*))>(kXlib, "XSetIOErrorHandler")) set(lost);

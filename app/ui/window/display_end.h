@@ -19,7 +19,7 @@ class DisplayEnd {
   ~DisplayEnd();
 };
 
-// Loss of a Wayland compositor, for which GLFW only closes the window: this tells it from the
+// Loss of a Wayland compositor. GLFW only closes the window, so this distinguishes it from the
 // user's close.
 [[nodiscard]] Failure lost_compositor();
 

@@ -20,7 +20,7 @@ namespace {
 
 constexpr int kSettlingFrames = 3;  // a window has its size in the second frame
 constexpr ImVec2 kMinPartEms(10.0F, 5.0F);
-constexpr ImVec2 kFloatingEms(36.0F, 24.0F);  // of a window that never floated before
+constexpr ImVec2 kFloatingEms(36.0F, 24.0F);  // size of a window that never floated before
 
 DockSituation situation_of(const PanelContext& context) {
   const CompareState::Transient& compare = context.compare.transient;
@@ -77,7 +77,8 @@ void submit_dock_space(DockSituation situation, ImGuiID id, ImVec2 size) {
              ImGuiDockNodeFlags_NoUndocking;
   const ImVec2 least(ems(kMinPartEms.x), ems(kMinPartEms.y));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, least);
-  ImGui::PushStyleColor(ImGuiCol_Border, IM_COL32_BLACK_TRANS);  // the gaps look like the ground
+  // Gaps have the colour of the background.
+  ImGui::PushStyleColor(ImGuiCol_Border, IM_COL32_BLACK_TRANS);
   flatten_next();
   ImGui::DockSpace(id, size, flags);
   ImGui::PopStyleColor();
@@ -103,7 +104,7 @@ bool draw_page(const PageParts& parts, const Page& page, bool closable) {
                    page.flags | ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoCollapse);
   ImGui::PopStyleColor();
   ImGui::PopStyleVar(2);
-  explain(page.window.meaning);  // of the tab
+  explain(page.window.meaning);  // tooltip of the tab
   if (seen) page.draw(parts);
   ImGui::End();
   DockState& dock = context.dock;

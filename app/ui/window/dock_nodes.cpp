@@ -9,10 +9,10 @@
 namespace hapticwall::ui {
 namespace {
 
-constexpr float kMaxColumnShare = 0.5F;  // of a column of a fixed width
+constexpr float kMaxColumnShare = 0.5F;  // max share of a column of fixed width
 
-// Size of the text, px. Also right in the frame of another scale, when ImGui::GetFontSize() is not
-// yet.
+// Text size, px. Correct also in the frame that changes the scale, in which ImGui::GetFontSize() is
+// still the old one.
 float text_size() { return ImGui::GetStyle().FontSizeBase * ImGui::GetStyle().FontScaleMain; }
 
 ImGuiWindow* window_of(const std::string& page) {

@@ -1,4 +1,5 @@
-// Between a DockLayout and the dock nodes of Dear ImGui. Call it between NewFrame() and Render().
+// Converts between a DockLayout and the dock nodes of Dear ImGui. Call it between NewFrame() and
+// Render().
 #pragma once
 
 #include <imgui.h>
@@ -20,7 +21,7 @@ void fit_dock(ImGuiID id, const DockLayout& layout, ImVec2 size);
 // The present arrangement of the windows that were begun in this frame.
 [[nodiscard]] DockLayout read_dock(ImGuiID id);
 
-// Moves and shrinks what floats, so that it stays within the main window.
+// Moves and shrinks floating windows, so that they stay within the main window.
 void keep_floating_inside();
 
 // The arrow keys go from one docked window to the next. Share them while a frame is drawn, not

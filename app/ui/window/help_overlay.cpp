@@ -15,7 +15,7 @@ namespace hapticwall::ui {
 namespace {
 
 constexpr float kWidthEms = 52.0F;
-constexpr float kMarginEms = 2.0F;  // to the edges of a small window
+constexpr float kMarginEms = 2.0F;  // margin to the edges of a small window
 constexpr float kKeyColumnShare = 0.36F;
 
 struct Gesture {

@@ -14,7 +14,7 @@ struct Visibility;
 // The first binding removes the force.
 [[nodiscard]] const std::vector<KeyBinding>& key_bindings();
 
-// key_bindings(), but during a blind test only those that do not reveal the order.
+// key_bindings(); during a blind test only those that do not reveal the order.
 [[nodiscard]] const std::vector<KeyBinding>& bindings_in_force(const Visibility& shows);
 
 // Runs the bindings of the keys pressed in this frame.

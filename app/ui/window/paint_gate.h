@@ -1,4 +1,4 @@
-// Decides whether a frame needs painting: at rest most look like the one before.
+// Decides whether a frame needs painting: at rest most frames equal the previous one.
 #pragma once
 
 #include <imgui.h>
@@ -9,7 +9,7 @@ namespace hapticwall::ui {
 
 class PaintGate {
  public:
-  // `pictures`: a number that changes with the content of any texture. True where the frame differs
+  // `pictures`: a number that changes with the content of any texture. True if the frame differs
   // from the last one for which this was true.
   [[nodiscard]] bool needs_painting(const ImDrawData& frame, std::uint64_t pictures);
   // The window system has lost the picture.

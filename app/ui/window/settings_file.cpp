@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kLookS = 0.25;  // between two looks for changes
+constexpr double kLookS = 0.25;  // interval between two checks for changes
 
 // Copies a file that the next save replaces.
 void complain(UiState& state, const std::string& path, const std::string& problem, bool replaced) {

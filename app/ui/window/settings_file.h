@@ -31,7 +31,7 @@ inline constexpr double kSettingsRestS = 1.0;
 
 class SettingsFile {
  public:
-  // With an empty path nothing is read or written.
+  // With an empty path, reads and writes nothing.
   explicit SettingsFile(std::string path) : path_(std::move(path)) {}
 
   // Reads the file into `state`. If it does not exist, reads that of an earlier version beside it,
@@ -53,7 +53,7 @@ class SettingsFile {
   std::string resting_;  // text at the last look
   double rested_s_ = 0.0;
   double unseen_s_ = 0.0;  // since the last look
-  bool told_ = false;      // the user knows that writing fails
+  bool told_ = false;      // the user was told that writing fails
 };
 
 }  // namespace hapticwall::ui

@@ -31,7 +31,7 @@ constexpr int kHeight = 1000;
 constexpr int kMinWidth = 1000;
 constexpr int kMinHeight = 640;
 constexpr double kUnseenFrameS = 0.1;  // sampling interval while minimised
-constexpr int kPaintedInAHurry = 10;   // one frame of this many
+constexpr int kPaintedInAHurry = 10;   // paints one frame of this many
 
 std::string glfw_message() {
   const char* text = nullptr;
@@ -132,7 +132,7 @@ ImGuiKeyChord chord_of(int mods) {
          ((mods & GLFW_MOD_SUPER) != 0 ? ImGuiMod_Super : 0);
 }
 
-// Dear ImGui asks for the state of the modifier keys only later, when Ctrl may be up again.
+// Dear ImGui asks for the state of the modifier keys only later, when Ctrl may be released again.
 void take_key(GLFWwindow* window, int key, int scancode, int action, int mods) {
   ImGui_ImplGlfw_KeyCallback(window, key, scancode, action, mods);
   const auto& queue = ImGui::GetCurrentContext()->InputEventsQueue;
@@ -242,7 +242,7 @@ void run_loop(GLFWwindow* window, Application& application, const WindowHooks& h
     }
     if (hooks.drawn) hooks.drawn();
     if (acts || application.moving()) idleness.wake(glfwGetTime());
-    // Limits the frame rate where swapping does not wait; events end the wait early.
+    // Limits the frame rate if swapping does not wait; events end the wait early.
     const double now_s = glfwGetTime();
     application.note_frame(now_s - start_s, now_s);
     const double rest_s = idleness.frame_s(now_s) - (now_s - start_s);

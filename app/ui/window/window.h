@@ -13,10 +13,10 @@ class Application;
 // Hooks for tests and benchmarks. Called on the window's thread with its contexts current; any may
 // be empty.
 struct WindowHooks {
-  std::function<void(Application&)> opened;  // before the first frame
-  std::function<void()> drawn;               // after every frame
-  std::function<void()> closed;              // after the last one; the application still lives
-  bool in_a_hurry = false;                   // no wait between frames; most are not painted
+  std::function<void(Application&)> opened;  // called before the first frame
+  std::function<void()> drawn;               // called after every frame
+  std::function<void()> closed;  // called after the last frame; the application still lives
+  bool in_a_hurry = false;       // no wait between frames; most are not painted
 };
 
 // Returns when the user closes the window or the process is asked to end (SIGINT, SIGTERM).
@@ -24,7 +24,7 @@ struct WindowHooks {
                                  const WindowHooks& hooks = {});
 
 // Idle detection: no samples arrive and the user does nothing.
-inline constexpr double kAwakeS = 0.6;  // after the last event
+inline constexpr double kAwakeS = 0.6;  // time awake after the last event
 inline constexpr double kFrameS = 1.0 / 60.0;
 inline constexpr double kIdleFrameS = 1.0;  // events end the wait early
 

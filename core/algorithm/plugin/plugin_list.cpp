@@ -36,7 +36,7 @@ void add_revision(LoadedPlugin& loaded, const hw_plugin& plugin) {
   loaded.count.store(count + 1, std::memory_order_release);
 }
 
-// Null if the algorithm is no plug-in.
+// The plug-in of an index; null for a built-in algorithm.
 LoadedPlugin* loaded_plugin(std::size_t algorithm) {
   if (algorithm < first_plugin() || algorithm >= algorithms().size()) return nullptr;
   return &loaded_plugins()[algorithm - first_plugin()];

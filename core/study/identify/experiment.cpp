@@ -19,7 +19,7 @@ constexpr double kGrowth = 1.25;
 constexpr double kShortHalfPeriodS = 0.15;
 constexpr std::uint32_t kSettledStrokes = 4;
 constexpr double kLearning = 0.7;
-constexpr double kFirstThreshold = 0.25;  // of the peak
+constexpr double kFirstThreshold = 0.25;  // share of the peak
 constexpr std::array kLevelShares{1.0, 0.72, 0.5};
 constexpr double kCoastingShare = 0.3;
 constexpr double kCoastStallS = 0.06;
@@ -27,7 +27,7 @@ constexpr double kCoastStallS = 0.06;
 constexpr double kFrozenS = 0.6;
 constexpr double kMaxStrokeS = 2.5;
 constexpr std::uint32_t kMaxShortStrokes = 8;
-constexpr double kGuard = 1.95;  // of the peak
+constexpr double kGuard = 1.95;  // multiple of the peak
 constexpr double kFarthest = 2.8;
 constexpr std::uint32_t kMaxGuards = 10;
 

@@ -8,8 +8,9 @@ namespace hapticwall::identify {
 namespace {
 
 constexpr double kDelayStep = 0.5;  // ticks
-constexpr double kTrim = 0.06;      // of a stroke, at both ends: it may stick there
-constexpr double kMaxPause = 0.15;  // of a window
+// Share of a stroke that is cut at either end, because the handle may stick there.
+constexpr double kTrim = 0.06;
+constexpr double kMaxPause = 0.15;  // share of a window
 constexpr std::size_t kMinWindow = 16;
 constexpr std::size_t kMinWindows = 8;
 
@@ -17,7 +18,7 @@ constexpr std::size_t kMinWindows = 8;
 struct Window {
   double begin = 0.0;
   double end = 0.0;
-  double sign = 0.0;  // of the velocity inside
+  double sign = 0.0;  // sign of the velocity inside
 
   [[nodiscard]] double half() const { return (end - begin) / 2.0; }
   [[nodiscard]] double place(double tick) const { return (tick - begin) / half() - 1.0; }

@@ -5,7 +5,7 @@
 namespace hapticwall::identify {
 namespace {
 
-// A shorter lag is none.
+// A shorter lag counts as none.
 constexpr double kMinLagS = 1e-7;
 
 double command(const std::vector<double>& force_n, std::size_t tick, std::size_t delay) {

@@ -17,9 +17,10 @@ constexpr std::size_t kGuesses = 3;
 constexpr int kFirstIterations = 6;
 constexpr int kIterations = 12;
 constexpr int kProfileIterations = 8;
-constexpr std::size_t kMaxReportTicks = 24;  // from a command to its report
-constexpr double kSameForce = 0.01;          // of the largest force
-constexpr double kMaxOtherForces = 0.05;     // share of the ticks: beyond, the device tells nothing
+constexpr std::size_t kMaxReportTicks = 24;  // max ticks from a command to its report
+constexpr double kSameForce = 0.01;          // share of the largest force
+// Share of the ticks; above it, the reported forces are useless.
+constexpr double kMaxOtherForces = 0.05;
 // Max extra cost of a possible delay, in variances of a count.
 constexpr double kPossible = 15.0;
 
@@ -54,7 +55,7 @@ class Search {
     return settled(std::move(fit));
   }
 
-  // Bad starts are found again until that helps no more.
+  // Refits the starts of bad segments, at most three times and while the cost falls.
   [[nodiscard]] Fit settled(Fit fit) const {
     for (int i = 0; i < 3 && ratio_of(fit, variance_m2_) > 1.02; ++i) {
       const double before = fit.cost_m2;
@@ -146,7 +147,7 @@ double noise_variance(const ExperimentFacts& facts, double encoder_m) {
   return std::max(0.0, facts.rest_variance_m2 - encoder_m * encoder_m / 12.0);
 }
 
-// Ticks at which the report of `lag` ticks later tells another force.
+// Ticks whose report, `lag` ticks later, has another force.
 std::size_t other_forces(const std::vector<double>& force_n, const std::vector<double>& applied_n,
                          std::size_t lag, double same_n) {
   std::size_t others = 0;

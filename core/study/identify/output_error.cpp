@@ -16,8 +16,8 @@ constexpr double kWeakestStart = 1e-4;  // s; below, the velocity of a start has
 constexpr double kWorse = 1.1;          // a cost of a segment that a step made worse
 constexpr int kStartIterations = 6;
 constexpr double kBadSegment = 2.0;      // times the median
-constexpr std::size_t kSlopeTicks = 12;  // to both sides of a start
-constexpr double kSettled = 1e-8;        // of the cost
+constexpr std::size_t kSlopeTicks = 12;  // ticks on either side of a start
+constexpr double kSettled = 1e-8;        // relative change of the cost
 
 // A model with the commands of a record.
 struct Prepared {
@@ -55,9 +55,10 @@ SegmentStart moved(SegmentStart start, const Eigen::Vector2d& by) {
 
 // Orthonormal directions of a segment's start, and what they mean for it.
 struct StartDirections {
-  Eigen::VectorXd level;  // of the position
-  Eigen::VectorXd slope;  // of the velocity, orthogonal to `level`; empty if it has no effect
-  double mean_s = 0.0;    // of the velocity's column
+  Eigen::VectorXd level;  // direction of the position
+  // Direction of the velocity, orthogonal to `level`; empty if it has no effect.
+  Eigen::VectorXd slope;
+  double mean_s = 0.0;  // mean of the velocity's column
   double slope_norm = 0.0;
 
   explicit StartDirections(const Eigen::VectorXd& by_velocity) {
