@@ -284,7 +284,7 @@ Result<Overlay> rerun_as_overlay(file::RecordingReader& recording, const std::st
   if (rows > kMaxOverlaidTicks) {
     return Error{
         ErrorKind::kUsage,
-        fmt::format("{}: at most {} ticks are laid over a recording, this one has {}; `hapticwall "
+        fmt::format("{}: an overlay shows at most {} ticks, this recording has {}; `hapticwall "
                     "replay --csv` records the re-run of any",
                     name, kMaxOverlaidTicks, rows)};
   }

@@ -194,7 +194,7 @@ Failure IdentifyExperiment::trouble() const {
     return device_error(fmt::format("the experiment ended with the force off: {}", why));
   };
   if (!why_.empty()) return off(why_);
-  if (!algorithm_.ended()) return device_error("the experiment did not come to its end in time");
+  if (!algorithm_.ended()) return device_error("the experiment did not finish in time");
   if (facts().state == identify::ExperimentState::kRunning) return off("the force was taken away");
   const std::string_view trouble = identify::experiment_trouble(facts().state);
   return trouble.empty() ? Failure() : off(trouble);

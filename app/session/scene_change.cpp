@@ -13,7 +13,7 @@ bool same_parameters(const Scene& a, const Scene& b) {
 
 namespace {
 
-constexpr const char* kNewSession = "cannot change while the session runs: it takes a new one";
+constexpr const char* kNewSession = "cannot change while the session runs: start a new session";
 
 std::optional<SceneProblem> axis_needs_new_session(const AxisSettings& running,
                                                    const AxisSettings& wanted, std::size_t index) {

@@ -37,8 +37,7 @@ ImpulseEngineOptions options_of(const WheelOptions& options) {
   link.acknowledges = false;
   link.delay_s = wheel.delay_s;
   link.delay_date = wheel.delay_date;
-  link.first_state_advice =
-      "turn the wheel a little: it tells its position when it moves, and has told none yet";
+  link.first_state_advice = "turn the wheel a little: it reports its position only when it moves";
   link.prepare_thread = options.prepare_thread;
   return link;
 }

@@ -163,7 +163,7 @@ std::vector<KeyRow> key_rows() {
       {"next layout of the windows", next_layout},
       {"everything larger", [](Person& p, const Act& press) { scale(p, press, 1); }},
       {"everything smaller", [](Person& p, const Act& press) { scale(p, press, -1); }},
-      {"as large as the screen says", scale_as_screen},
+      {"scale of the screen", scale_as_screen},
       {"close a list, the help, or the newest message", put_away},
       key_flips("follow the newest samples, or freeze",
                 [](Person& p) { return p.state().time.follow ? 1.0 : 0.0; }),

@@ -114,13 +114,13 @@ std::string axis_lines(const Summary& s) {
                       table::kilonewtons_per_metre(s.displayed_stiffness_n_per_m) + " kN/m") +
          summary_line("wall", contact_text(s)) +
          summary_line("energy observed",
-                      fmt::format("{} mJ (Eq. 6), least {} mJ", millijoules(s.energy_cv_j),
+                      fmt::format("{} mJ (Eq. 6), minimum {} mJ", millijoules(s.energy_cv_j),
                                   millijoules(s.min_energy_cv_j))) +
          summary_line("energy of the hold",
                       fmt::format("{} mJ (Eq. 9), budget {} mJ", millijoules(s.energy_hold_j),
                                   millijoules(s.energy_budget_j))) +
          summary_line("energy exchanged",
-                      fmt::format("{} mJ (Eq. 10), least {} mJ", millijoules(s.energy_scv_j),
+                      fmt::format("{} mJ (Eq. 10), minimum {} mJ", millijoules(s.energy_scv_j),
                                   millijoules(s.min_energy_scv_j))) +
          summary_line("true work", fmt::format("hand {} mJ, actuator {} mJ, dissipated {} mJ",
                                                millijoules(s.true_hand_work_j),

@@ -89,7 +89,7 @@ void draw_title(const Theme& theme, const Scene& scene, std::size_t runs) {
   const FontScope font(nullptr, kSmallFontSize);
   ImGui::TextDisabled("%s", describe(scene).c_str());
   ImGui::TextDisabled(
-      "figures of the last second: peak to peak, displayed stiffness, mean force ± its standard "
+      "numbers of the last second: peak to peak, displayed stiffness, mean force ± its standard "
       "deviation  ·  the axes are the same along each row");
 }
 

@@ -44,7 +44,7 @@ constexpr std::array kPassivityLines{
     PlotLine{&Sample::energy_scv_j, "SCV (10)",
              "Eq. 10: energy between handle and actuator, as the encoder measures it", Tone::kScv},
     PlotLine{&Sample::energy_cv_j, "observer (6)",
-             "Eq. 6: the passivity observer of Hannaford and Ryu; blind to the hold",
+             "Eq. 6: the passivity observer of Hannaford and Ryu; misses the energy of the hold",
              Tone::kObserver, kUsual, Dash::kDashed},
     PlotLine{&PlantTruth::actuator_work_j, "actuator work",
              "∫ F_d v dt: energy from the handle to the actuator; negative: to the handle",

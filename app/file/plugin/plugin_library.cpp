@@ -92,7 +92,7 @@ std::string trust_problem(int descriptor) {
   const auto path =
       std::filesystem::read_symlink(fmt::format("/proc/self/fd/{}", descriptor), failed);
   if (fstat(descriptor, &file) != 0 || failed || stat(path.parent_path().c_str(), &folder) != 0)
-    return "nobody knows who can write it";
+    return "its owner and folder cannot be read";
   if (others_can_write(file)) return "another user can write it; copy it to a folder of yours";
   if (!others_can_write(folder)) return "";
   return "another user can write its folder; copy it to a folder of yours";

@@ -75,8 +75,8 @@ class UnknownEvents {
   [[nodiscard]] std::string reason() const {
     if (unknown_change_) {
       return fmt::format(
-          "parameters changed at tick {}, just before the session was cut off, and nobody knows "
-          "how",
+          "parameters changed at tick {}, just before the session was cut off; the new values are "
+          "unknown",
           *unknown_change_);
     }
     return led_ ? "the hand was not where its path leads: something else led it" : "";
@@ -149,7 +149,7 @@ Failure check_names(const std::string& csv_path, const std::string& partial) {
   const std::string sidecar = sidecar_path_of(partial);
   if (!std::filesystem::exists(sidecar, ignored) && !lacks_only_its_name(csv_path)) {
     return usage_error(
-        fmt::format("{}: it is not there, and without it nobody knows the scene; "
+        fmt::format("{}: the file is missing, so the scene is unknown; "
                     "'hapticwall replay {}' shows the rows",
                     shown(sidecar), shown(partial)));
   }

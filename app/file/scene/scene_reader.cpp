@@ -22,7 +22,7 @@ void read_axes(TableReader& reader, const std::string& origin, Scene& scene) {
     const toml::table* device = i == 0 ? devices : axis_table(devices, i);
     const toml::table* hand = axis_table(hands, i);
     if (device == nullptr && hand != nullptr) {
-      reader.fail(*hand, "hand.y", "the scene has no second axis: it takes a table [device.y]");
+      reader.fail(*hand, "hand.y", "the scene has no second axis: add a table [device.y]");
     }
     if (device == nullptr) return;
     scene.axes.resize(i + 1);

@@ -125,7 +125,7 @@ void read_walls(TableReader& parent, const std::string& prefix, Scene& scene) {
     }
     if (axis == "y" && !scene.two_axes()) {
       reader.fail(*table->get("axis"), "axis",
-                  "the scene has no second axis: it takes a table [device.y]");
+                  "the scene has no second axis: add a table [device.y]");
     }
     reader.finish();
     scene.axes[axis == "y" ? 1 : 0].walls.push_back(wall);

@@ -45,8 +45,8 @@ void judge(const Measure& measure, TimingJudgement& judgement) {
 
 void judge(const LoopTiming& loop, TimingJudgement& judgement) {
   const std::string advice = loop.advice.empty()
-                                 ? "close what else is busy; a virtual machine or a laptop on "
-                                   "battery cannot keep better time"
+                                 ? "close other busy programs; a virtual machine or a laptop on "
+                                   "battery cannot meet its deadlines better"
                                  : loop.advice;
   const double period_ns = kNanosecondsPerSecond / loop.rate_hz;
   const auto late_ns = static_cast<double>(loop.latency.p999_ns);

@@ -67,7 +67,7 @@ void draw_masking(const PanelContext& context) {
   field_label(context, "sound", "", "");
   ImGui::Checkbox("masking noise###masking noise", &context.compare.persisted.masking_noise);
   explain(
-      "During the test the sound, if it is on, is noise that knows nothing of the wall. "
+      "During the test the sound, if it is on, is noise that does not depend on the wall. "
       "Switch this off if the question is about the sound.");
 }
 

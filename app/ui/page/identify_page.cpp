@@ -72,9 +72,10 @@ void draw_choice(const PanelContext& context) {
                "Largest force of the experiment. At first 20 % of the device's, at most 2 N"},
               "N", session::kIdentifyLimitN, 1.0,
               settings ? settings->force_limit_n : choice.limit_n, choice.limit_n);
-  draw_number(context, {"identify travel", "travel", "To both sides of where the handle is now"},
-              "mm", session::kIdentifyTravelM, kMillimetresPerMetre, choice.travel_m,
-              choice.travel_m);
+  draw_number(
+      context,
+      {"identify travel", "travel", "Way to either side of the present position of the handle"},
+      "mm", session::kIdentifyTravelM, kMillimetresPerMetre, choice.travel_m, choice.travel_m);
   draw_number(context, {"identify seconds", "duration", "Of the strokes; more give finer numbers"},
               "s", session::kIdentifySeconds, 1.0, choice.seconds, choice.seconds);
   ImGui::EndChild();

@@ -84,7 +84,7 @@ constexpr std::array kPages{
     Page{{kBlindTestPage, "Which of two walls? A and B of Compare, in hidden order"},
          draw_blind_test},
     Page{{"Map",
-          "Where the present scene is stable, over two of its numbers. A click makes a cell the "
+          "Stability of the present scene over two of its numbers. A click makes a cell the "
           "running scene."},
          draw_map,
          true,

@@ -246,16 +246,17 @@ std::string timing_sentence(const TimingState& timing, double rate_hz, draw::Ton
   switch (judgement_of(timing, rate_hz, "").verdict) {
     case session::TimingVerdict::kGood:
       tone = draw::Tone::kGood;
-      return fmt::format("The loop keeps its time: {}.", late("p99", timing.wake_latency.p99_ns));
+      return fmt::format("The loop meets its deadlines: {}.",
+                         late("p99", timing.wake_latency.p99_ns));
     case session::TimingVerdict::kUsable:
       tone = draw::Tone::kWarning;
-      return fmt::format("The loop mostly keeps its time: {}{}.",
+      return fmt::format("The loop mostly meets its deadlines: {}{}.",
                          late("p99.9", timing.wake_latency.p999_ns), missed);
     case session::TimingVerdict::kPoor:
       break;
   }
   tone = draw::Tone::kBad;
-  return fmt::format("The loop does not keep its time: {}{}.",
+  return fmt::format("The loop misses its deadlines: {}{}.",
                      late("p99.9", timing.wake_latency.p999_ns), missed);
 }
 

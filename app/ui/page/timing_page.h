@@ -8,7 +8,7 @@
 
 namespace hapticwall::ui {
 
-// "The loop keeps its time: p99 14 µs late of a 1000 µs period." `tone`: of the words.
+// "The loop meets its deadlines: p99 14 µs late of a 1000 µs period." `tone`: of the words.
 [[nodiscard]] std::string timing_sentence(const TimingState& timing, double rate_hz,
                                           draw::Tone& tone);
 

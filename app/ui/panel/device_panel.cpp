@@ -109,7 +109,8 @@ void draw_rows(const PanelContext& context, std::span<const ParameterText> rows)
 // A wheel of the kernel reports only the time of its last motion.
 void draw_wheel(const PanelContext& context, const device::LinkStats& link) {
   figure_row(context, "changes", fmt::format("{}", link.states), draw::Tone::kText,
-             "Positions heard since the start. The kernel tells of changes only: silence is rest.");
+             "Positions received since the start. The kernel reports changes only: a wheel at rest "
+             "sends none.");
   figure_row(context, "tried", "never on this model", draw::Tone::kWarning,
              "Nobody has felt this program's force on a wheel. Keep your hands off the spokes, and "
              "an emergency stop within reach.");

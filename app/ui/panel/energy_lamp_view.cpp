@@ -125,8 +125,8 @@ std::string lamp_tooltip(const EnergyStory& story, double since_s) {
   const LampWords words = lamp_words(story);
   std::string text = words.text + (words.remark.empty() ? "" : "\n" + words.remark);
   text += fmt::format(
-      "\n\nOf the contact that begins at {:.3f} s, as a controller can know it: measured "
-      "displacements, its own forces, the damping that its algorithm believes in.\n"
+      "\n\nEnergies of the contact that begins at {:.3f} s, as a controller can know it: measured "
+      "displacements, its own forces, the damping that its algorithm assumes.\n"
       "\ngiven out, -E_scv: {}\nbudget, T Σ b v²: {}\n"
       "beyond the hold's budget: {}\nby the control law, -E_cv: {}\n",
       since_s, energy_text(story.given_out_j), energy_text(story.budget_j),

@@ -76,7 +76,7 @@ void draw_withdrawal(const PanelContext& context) {
                            speed_mm_per_s});
   if (typed) speed_mm_per_s = std::clamp(*typed, 1.0, kMaxWithdrawMmPerS);
   if (button("Withdraw the hand (H)###withdraw hand",
-             "Takes the hand back to where the scene begins, where it stays"))
+             "Takes the hand back to its position at the start of the scene and keeps it there"))
     withdraw_hand(context);
 }
 

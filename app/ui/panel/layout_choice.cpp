@@ -72,7 +72,8 @@ std::optional<std::string> problem_with_name(const DockState& dock, std::string_
   if (!is_utf8(name) || has_control(name)) return "a name has no control characters";
   if (name.size() > kMaxLayoutNameBytes)
     return fmt::format("a name has at most {} bytes", kMaxLayoutNameBytes);
-  if (builtin_called(name) != nullptr) return fmt::format("'{}' is built in: take another", name);
+  if (builtin_called(name) != nullptr)
+    return fmt::format("'{}' is a built-in layout: choose another name", name);
   const bool is_new = std::ranges::find(own, name, &OwnLayout::name) == own.end();
   if (is_new && own.size() >= kMaxOwnLayouts)
     return fmt::format("there are {} layouts: delete one", kMaxOwnLayouts);

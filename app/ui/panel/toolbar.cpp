@@ -100,7 +100,7 @@ void draw_slow_motion(const PanelContext& context, session::LiveSession& live) {
     ImGui::EndCombo();
   }
   explain(
-      "Slow motion of the simulator: one tick in so many periods (keys [ and ]). The samples "
+      "Slow motion of the simulator: one tick every this many periods (keys [ and ]). The samples "
       "are those of full speed.");
 }
 

@@ -82,7 +82,8 @@ void draw_bound(const PanelContext& context, std::string_view name,
   figure_row(context, name, bound_n_per_m ? fmt::format("{:.0f} N/m", *bound_n_per_m) : without,
              over ? draw::Tone::kWarning : draw::Tone::kText,
              tooltip +
-                 "\n\nOf the bare wall, without an algorithm. In this colour where the wall "
+                 "\n\nThis is the bound of the bare wall, without an algorithm. It has this colour "
+                 "if the wall "
                  "is stiffer.");
 }
 

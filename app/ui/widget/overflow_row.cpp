@@ -62,8 +62,9 @@ void draw_overflow_row(const PanelContext& context, const char* name,
   const std::optional<float> refused = draw_staying(context, controls, stays, corner);
   if (!std::ranges::all_of(stays, std::identity())) {
     ImGui::SetCursorScreenPos(ImVec2(corner.x + width - more, corner.y));
-    const bool clicked = button(fmt::format("…###more of {}", name), "What has no room in this row",
-                                {.width = more, .small = look.small});
+    const bool clicked =
+        button(fmt::format("…###more of {}", name), "Controls that do not fit in this row",
+               {.width = more, .small = look.small});
     if (clicked || wants_popup(controls, stays)) ImGui::OpenPopup(name);
     draw_overflowing(context, name, controls, stays);
   }

@@ -114,7 +114,7 @@ std::vector<KeyBinding> window_keys() {
                      smaller,
                      {ctrl(ImGuiKey_KeypadSubtract)}}),
           {KeyGroup::kWindow,
-           "as large as the screen says",
+           "scale of the screen",
            {ctrl(ImGuiKey_0)},
            as_the_screen,
            {ctrl(ImGuiKey_Keypad0)}},

@@ -74,13 +74,14 @@ class TimingSentence : public ::testing::Test {
 };
 
 TEST_F(TimingSentence, SaysInWordsWhetherTheLoopKeepsItsTime) {
-  EXPECT_EQ(sentence(14'000), "The loop keeps its time: p99 14 µs late of a 1000 µs period.");
+  EXPECT_EQ(sentence(14'000), "The loop meets its deadlines: p99 14 µs late of a 1000 µs period.");
   EXPECT_EQ(tone, Tone::kGood);
-  EXPECT_EQ(sentence(200'000, 1),
-            "The loop mostly keeps its time: p99.9 200 µs late of a 1000 µs period, 1 of 10001 "
-            "ticks missed.");
+  EXPECT_EQ(
+      sentence(200'000, 1),
+      "The loop mostly meets its deadlines: p99.9 200 µs late of a 1000 µs period, 1 of 10001 "
+      "ticks missed.");
   EXPECT_EQ(tone, Tone::kWarning);
-  EXPECT_THAT(sentence(14'000, 500), HasSubstr("does not keep its time"));
+  EXPECT_THAT(sentence(14'000, 500), HasSubstr("misses its deadlines"));
   EXPECT_EQ(tone, Tone::kBad);
 }
 
