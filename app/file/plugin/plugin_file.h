@@ -23,8 +23,8 @@ struct PluginFile {
 // start. Realtime-safe: no.
 [[nodiscard]] Result<std::size_t> load_plugin(const std::string& path);
 
-// Loads the file of a plug-in again, as its newest revision, if it has other bytes; false if it has
-// the same. Running loops keep theirs until they are told of the new one. Fails, and changes
+// Loads the file of a plug-in again, as its newest revision. Returns false if the file has not
+// changed. Running loops keep the old revision until they receive the new one. Fails, and changes
 // nothing, for a file that is not whole or not a replacement (replacement_problem()). One thread
 // calls it. Realtime-safe: no.
 [[nodiscard]] Result<bool> reload_plugin(std::size_t algorithm);

@@ -15,8 +15,8 @@ namespace hapticwall::ui {
 [[nodiscard]] std::optional<SceneProblem> ask_for_algorithm(const PanelContext& context,
                                                             const AlgorithmSettings& algorithm);
 
-// Parts of the scene that were asked for and that the loop has not echoed yet. A paused loop takes
-// no parameters, so that they stay asked for until the next tick.
+// Parts of the scene that were requested and that the loop has not echoed yet. A paused loop takes
+// no parameters, so they stay in this list until the next tick.
 struct AskedFor {
   bool algorithm = false;
   bool walls = false;
