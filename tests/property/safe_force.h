@@ -59,7 +59,7 @@ class Life {
         totals_(totals),
         device_(device),
         plants_(first),
-        exchange_({.plot = 16}, session::test::parameters_of(first)),
+        exchange_({.plot = 16, .recorder = 4096}, session::test::parameters_of(first)),
         loop_({&device}, exchange_, session::test::parameters_of(first), false),
         real_(!device.info().is_simulated) {
     settings_[1] = servo_settings(first);

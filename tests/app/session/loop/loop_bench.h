@@ -11,12 +11,15 @@
 
 namespace hapticwall::session::test {
 
+// Ten seconds. The queues of a session take 127 MB, and touching them takes longer than most tests.
+inline constexpr QueueCapacities kBenchQueues{.plot = 10'000, .recorder = 10'000};
+
 template <typename TestDevice>
 struct LoopBench {
   // `for_device` are the arguments of the device's constructor.
   template <typename... ForDevice>
   explicit LoopBench(const Scene& first, bool start_paused = false,
-                     const QueueCapacities& capacities = {}, ForDevice&&... for_device)
+                     const QueueCapacities& capacities = kBenchQueues, ForDevice&&... for_device)
       : scene(first),
         device(std::forward<ForDevice>(for_device)...),
         exchange(capacities, parameters_of(first)),

@@ -16,7 +16,7 @@ namespace hapticwall::session::test {
 
 struct Harness : LoopBench<device::SimulatedDevice> {
   explicit Harness(const Scene& first, bool start_paused = false,
-                   const QueueCapacities& capacities = {})
+                   const QueueCapacities& capacities = kBenchQueues)
       : LoopBench(first, start_paused, capacities, first), plants(first) {}
 
   void publish(const Scene& changed) {
