@@ -38,7 +38,7 @@ class RecoverCommand : public ProgramTest {
 
 TEST_F(RecoverCommand, EveryWholeRowSurvivesAKillAtAnyMomentAndRepeats) {
   std::mt19937 random(7);
-  std::uniform_int_distribution<std::uintmax_t> bytes(kSomeRows, 4'000'000);
+  std::uniform_int_distribution<std::uintmax_t> bytes(kSomeRows, 1'000'000);
   constexpr int kKills = 100;
   for (int i = 0; i < kKills; ++i) {
     kill_a_run({"press", "--duration", "100000", "--csv", "a.csv", "--quiet"}, bytes(random));
