@@ -205,7 +205,8 @@ inline bool eventually(const std::function<bool()>& condition) {
   const auto deadline = std::chrono::steady_clock::now() + std::chrono::minutes(2);
   while (!condition()) {
     if (std::chrono::steady_clock::now() > deadline) return false;
-    std::this_thread::yield();
+    // A poll without a pause would take a core from the tests beside this one.
+    std::this_thread::sleep_for(std::chrono::microseconds(200));
   }
   return true;
 }
