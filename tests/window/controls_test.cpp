@@ -76,7 +76,7 @@ class ControlsTest : public WindowTest {
   }
 };
 
-TEST_P(ControlsTest, EveryOneIsUsed) {
+TEST_F(ControlsTest, EveryOneIsUsed) {
   use_simulator();
   use_experiment();
   use_device();
@@ -88,8 +88,6 @@ TEST_P(ControlsTest, EveryOneIsUsed) {
   EXPECT_TRUE(forgotten.empty()) << "no row uses these controls; add rows to tests/window/rows_*: "
                                  << ::testing::PrintToString(forgotten);
 }
-
-HAPTICWALL_ON_BOTH_SCREENS(ControlsTest);
 
 }  // namespace
 }  // namespace hapticwall::test

@@ -213,7 +213,7 @@ const KeyBinding& binding_of(KeyGroup group, std::size_t index) {
 
 class KeysWindowTest : public WindowTest {};
 
-TEST_P(KeysWindowTest, EveryKeyDoesWhatItSays) {
+TEST_F(KeysWindowTest, EveryKeyDoesWhatItSays) {
   use([](Person& person) {
     const std::vector<KeyRow> rows = key_rows();
     for (const KeyBinding& binding : ui::key_bindings()) {
@@ -234,7 +234,7 @@ TEST_P(KeysWindowTest, EveryKeyDoesWhatItSays) {
   });
 }
 
-TEST_P(KeysWindowTest, TheForceKeysReachTheDevice) {
+TEST_F(KeysWindowTest, TheForceKeysReachTheDevice) {
   connect_device();
   use([this](Person& person) {
     const KeyBinding& off = binding_of(KeyGroup::kForce, 0);
@@ -250,7 +250,7 @@ TEST_P(KeysWindowTest, TheForceKeysReachTheDevice) {
   });
 }
 
-TEST_P(KeysWindowTest, LettersTypedIntoAFieldAreNoKeys) {
+TEST_F(KeysWindowTest, LettersTypedIntoAFieldAreNoKeys) {
   use([](Person& person) {
     const std::size_t before = person.scene().algorithm.index;
     person.click("recording name");
@@ -268,8 +268,6 @@ TEST_P(KeysWindowTest, LettersTypedIntoAFieldAreNoKeys) {
     EXPECT_EQ(person.state().recording.name, "apfct123r");
   });
 }
-
-HAPTICWALL_ON_BOTH_SCREENS(KeysWindowTest);
 
 }  // namespace
 }  // namespace hapticwall::test

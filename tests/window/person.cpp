@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cfloat>
 #include <chrono>
+#include <thread>
 #include <utility>
 
 namespace hapticwall::test {
@@ -14,6 +15,9 @@ namespace {
 
 // Much longer than any wait here takes.
 constexpr std::chrono::seconds kPatience{60};
+// Between two frames of a wait: frames without a pause would take a core from the tests beside
+// this.
+constexpr std::chrono::milliseconds kPause{2};
 
 }  // namespace
 
@@ -191,6 +195,7 @@ bool Person::wait_until(const std::function<bool()>& condition, std::string_view
       return false;
     }
     wait_a_frame();
+    std::this_thread::sleep_for(kPause);
   }
   return true;
 }

@@ -57,7 +57,7 @@ class RecordingWindowTest : public WindowTest {
   }
 };
 
-TEST_P(RecordingWindowTest, IsRepeatableWithTheValuesThatWereChangedMeanwhile) {
+TEST_F(RecordingWindowTest, IsRepeatableWithTheValuesThatWereChangedMeanwhile) {
   std::string path;
   use([&](Person& person) {
     start(person);
@@ -83,7 +83,7 @@ TEST_P(RecordingWindowTest, IsRepeatableWithTheValuesThatWereChangedMeanwhile) {
       << "the drag was one step to undo";
 }
 
-TEST_P(RecordingWindowTest, IsFinishedWhenTheWindowIsClosed) {
+TEST_F(RecordingWindowTest, IsFinishedWhenTheWindowIsClosed) {
   std::string path;
   use([&](Person& person) {
     start(person);
@@ -98,7 +98,7 @@ TEST_P(RecordingWindowTest, IsFinishedWhenTheWindowIsClosed) {
   EXPECT_GT(reader->rows(), 100U);
 }
 
-TEST_P(RecordingWindowTest, EndsWithTheSceneAndNeverReplacesAFile) {
+TEST_F(RecordingWindowTest, EndsWithTheSceneAndNeverReplacesAFile) {
   use([&](Person& person) {
     for (int i = 0; i < 2; ++i) {
       start(person);
@@ -118,7 +118,7 @@ TEST_P(RecordingWindowTest, EndsWithTheSceneAndNeverReplacesAFile) {
   }
 }
 
-TEST_P(RecordingWindowTest, HasTheSignalsOfAlgorithmsIfTheyAreTicked) {
+TEST_F(RecordingWindowTest, HasTheSignalsOfAlgorithmsIfTheyAreTicked) {
   const auto record_thrice = [](Person& person) {
     EXPECT_TRUE(signals_of(record(person)).empty());
     tick_signals(person);
@@ -131,7 +131,7 @@ TEST_P(RecordingWindowTest, HasTheSignalsOfAlgorithmsIfTheyAreTicked) {
   use([](Person& person) { EXPECT_EQ(signals_of(record(person)), file::all_signal_columns()); });
 }
 
-TEST_P(RecordingWindowTest, HasTheSignalsOfTheCommandLineForThisStart) {
+TEST_F(RecordingWindowTest, HasTheSignalsOfTheCommandLineForThisStart) {
   options_.signals = file::all_signal_columns();
   use([](Person& person) {
     EXPECT_EQ(signals_of(record(person)), file::all_signal_columns());
@@ -140,8 +140,6 @@ TEST_P(RecordingWindowTest, HasTheSignalsOfTheCommandLineForThisStart) {
     EXPECT_TRUE(signals_of(record(person)).empty());
   });
 }
-
-HAPTICWALL_ON_BOTH_SCREENS(RecordingWindowTest);
 
 }  // namespace
 }  // namespace hapticwall::test

@@ -18,7 +18,7 @@ class UseWindowTest : public WindowTest {
   }
 };
 
-TEST_P(UseWindowTest, EscapeLeavesWhatWasInAField) {
+TEST_F(UseWindowTest, EscapeLeavesWhatWasInAField) {
   use([](Person& person) {
     const Scene before = person.scene();
     person.click("stiffness");
@@ -29,7 +29,7 @@ TEST_P(UseWindowTest, EscapeLeavesWhatWasInAField) {
   });
 }
 
-TEST_P(UseWindowTest, EveryStepIsTakenBackAndDoneAgain) {
+TEST_F(UseWindowTest, EveryStepIsTakenBackAndDoneAgain) {
   use([](Person& person) {
     const Scene at_first = person.scene();
     person.type("stiffness", "3000");
@@ -49,7 +49,7 @@ TEST_P(UseWindowTest, EveryStepIsTakenBackAndDoneAgain) {
   });
 }
 
-TEST_P(UseWindowTest, KeepsSettingsFromOneStartToTheNext) {
+TEST_F(UseWindowTest, KeepsSettingsFromOneStartToTheNext) {
   use([this](Person& person) {
     person.click("settings");
     person.click("light");
@@ -79,7 +79,7 @@ TEST_P(UseWindowTest, KeepsSettingsFromOneStartToTheNext) {
   });
 }
 
-TEST_P(UseWindowTest, TheHandIsLedWithdrawnAndGivenBackByAReset) {
+TEST_F(UseWindowTest, TheHandIsLedWithdrawnAndGivenBackByAReset) {
   use([](Person& person) {
     const auto hand_m = [&] { return person.session().snapshot().newest.x().truth.hand_path_m; };
     person.drag("wall view", ImVec2(60.0F, 0.0F));
@@ -92,8 +92,6 @@ TEST_P(UseWindowTest, TheHandIsLedWithdrawnAndGivenBackByAReset) {
     person.wait_until([&] { return hand_m() > person.scene().x().device.start_m; }, "the script");
   });
 }
-
-HAPTICWALL_ON_BOTH_SCREENS(UseWindowTest);
 
 }  // namespace
 }  // namespace hapticwall::test

@@ -3,24 +3,20 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <imgui.h>
-#include <imgui_impl_opengl3.h>
 #include <imgui_te_context.h>
 #include <imgui_te_engine.h>
 
 #include <algorithm>
 #include <cfloat>
-#include <cstdlib>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "app/draw/plot/theme.h"
 #include "app/file/disk/atomic_file.h"
 #include "app/file/disk/user_folders.h"
 #include "app/file/scene/scene_file.h"
-#include "app/session/loop_session.h"
+#include "tests/app/ui/display.h"
 #include "tests/app/ui/items.h"
-#include "tests/app/ui/offscreen_gui.h"
 
 namespace hapticwall::test {
 namespace {
@@ -28,6 +24,7 @@ namespace {
 // A small window with small pictures, because painting is slow without a graphics card.
 constexpr int kWidth = 1120;
 constexpr int kHeight = 720;
+constexpr int kPaintedOf = 50;
 constexpr const char* kDocked =
     "X21.5em(Controls;Y22%(X40%(Wall;Contact);Plots*,Timing,Blind test,Map,All at "
     "once,Study,Identify))";
@@ -85,63 +82,7 @@ void drop_onto(GLFWwindow* window, std::span<const std::string> paths) {
   callback(window, static_cast<int>(names.size()), names.data());
 }
 
-void use_real_window(const session::WindowOptions& options, const Script& script, ItemLog& log) {
-  std::unique_ptr<Engine> engine;
-  GLFWwindow* window = nullptr;
-  ui::WindowHooks hooks;
-  hooks.in_a_hurry = true;
-  hooks.opened = [&](ui::Application& application) {
-    window = glfwGetCurrentContext();
-    engine = std::make_unique<Engine>(
-        application, script, log,
-        [window](std::span<const std::string> paths) { drop_onto(window, paths); });
-  };
-  hooks.drawn = [&] {
-    engine->look();
-    if (engine->is_done()) glfwSetWindowShouldClose(window, GLFW_TRUE);
-  };
-  hooks.closed = [&] { engine.reset(); };
-  const Failure failure = ui::run_window(options, hooks);
-  EXPECT_FALSE(failure) << failure->message;
-}
-
-// Does the work of run_window() without a window and without painting.
-void use_headless(const session::WindowOptions& options, const Script& script, ItemLog& log) {
-  const OffscreenGui gui(ImVec2(kWidth, kHeight));
-  ui::Application::Sessions sessions;
-  sessions.simulate = [](const Scene& scene, BorrowedAlgorithm* borrowed) {
-    return session::start_under(borrowed, nullptr, scene, {});
-  };
-  sessions.start_on_device = options.start_on_device;
-  const auto created =
-      ui::Application::create(options.scene,
-                              {options.settings_path,
-                               options.recording_folder,
-                               options.forced_scale,
-                               options.opened_file,
-                               {},
-                               options.experiment,
-                               !options.signals.empty()},
-                              draw::apply_theme(draw::Look::kScreen, 1.0F), sessions);
-  ASSERT_TRUE(created.ok()) << created.error().message;
-  ui::Application& application = **created;
-  Engine engine(application, script, log,
-                [&application](std::span<const std::string> paths) { application.drop(paths); });
-  while (!engine.is_done()) {
-    ImGui_ImplOpenGL3_NewFrame();
-    ImGui::NewFrame();
-    application.frame();
-    ImGui::Render();
-    engine.look();
-  }
-  application.save_settings();
-}
-
 }  // namespace
-
-std::string screen_name(const ::testing::TestParamInfo<Screen>& info) {
-  return info.param == Screen::kDisplay ? "RealWindow" : "Headless";
-}
 
 Home::Home() {
   const nlohmann::json settings{{"window",
@@ -191,19 +132,30 @@ std::vector<std::string> Home::files(const std::string& ending) const {
 }
 
 void WindowTest::SetUp() {
-  if (GetParam() == Screen::kDisplay && std::getenv("DISPLAY") == nullptr)
-    GTEST_SKIP() << "DISPLAY is not set";
+  if (!has_display()) GTEST_SKIP() << "DISPLAY is not set";
   options_.scene = file::load_scene("press")->scene;
   options_.settings_path = home_.settings_path();
   options_.recording_folder = home_.folder().string();
 }
 
 void WindowTest::use(const Script& script) {
-  if (GetParam() == Screen::kDisplay) {
-    use_real_window(options_, script, log_);
-  } else {
-    use_headless(options_, script, log_);
-  }
+  std::unique_ptr<Engine> engine;
+  GLFWwindow* window = nullptr;
+  ui::WindowHooks hooks;
+  hooks.painted_of = kPaintedOf;
+  hooks.opened = [&](ui::Application& application) {
+    window = glfwGetCurrentContext();
+    engine = std::make_unique<Engine>(
+        application, script, log_,
+        [window](std::span<const std::string> paths) { drop_onto(window, paths); });
+  };
+  hooks.drawn = [&] {
+    engine->look();
+    if (engine->is_done()) glfwSetWindowShouldClose(window, GLFW_TRUE);
+  };
+  hooks.closed = [&] { engine.reset(); };
+  const Failure failure = ui::run_window(options_, hooks);
+  EXPECT_FALSE(failure) << failure->message;
 }
 
 void WindowTest::connect_device() {

@@ -1,9 +1,8 @@
-// A person uses the whole application: in a real window on the display, and without a display.
+// A person uses the whole application in a real window. Without a display these tests are skipped.
 #pragma once
 
 #include <gtest/gtest.h>
 
-#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -15,9 +14,6 @@
 #include "tests/window/person.h"
 
 namespace hapticwall::test {
-
-enum class Screen : std::uint8_t { kNone, kDisplay };
-[[nodiscard]] std::string screen_name(const ::testing::TestParamInfo<Screen>& info);
 
 // The home folder of one test, with settings, recordings and scenes.
 class Home {
@@ -42,7 +38,7 @@ class Home {
 
 using Script = std::function<void(Person&)>;
 
-class WindowTest : public ::testing::TestWithParam<Screen> {
+class WindowTest : public ::testing::Test {
  protected:
   void SetUp() override;
 
@@ -62,10 +58,3 @@ class WindowTest : public ::testing::TestWithParam<Screen> {
 };
 
 }  // namespace hapticwall::test
-
-// Runs a class of tests on both kinds of screen.
-#define HAPTICWALL_ON_BOTH_SCREENS(suite)                                                         \
-  INSTANTIATE_TEST_SUITE_P(                                                                       \
-      Screens, suite,                                                                             \
-      ::testing::Values(::hapticwall::test::Screen::kNone, ::hapticwall::test::Screen::kDisplay), \
-      ::hapticwall::test::screen_name)

@@ -31,7 +31,6 @@ constexpr int kHeight = 1000;
 constexpr int kMinWidth = 1000;
 constexpr int kMinHeight = 640;
 constexpr double kUnseenFrameS = 0.1;  // sampling interval while minimised
-constexpr int kPaintedInAHurry = 10;   // paints one frame of this many
 
 std::string glfw_message() {
   const char* text = nullptr;
@@ -236,7 +235,7 @@ void run_loop(GLFWwindow* window, Application& application, const WindowHooks& h
     application.set_screen_scale(std::max(ImGui_ImplGlfw_GetContentScaleForWindow(window), 1.0F));
     const bool acts = user_acts();
     draw_frame(application);
-    if (!hooks.in_a_hurry || ++unpainted >= kPaintedInAHurry) {
+    if (++unpainted >= hooks.painted_of) {
       if (application.needs_painting()) paint_frame(window);
       unpainted = 0;
     }
@@ -246,7 +245,7 @@ void run_loop(GLFWwindow* window, Application& application, const WindowHooks& h
     const double now_s = glfwGetTime();
     application.note_frame(now_s - start_s, now_s);
     const double rest_s = idleness.frame_s(now_s) - (now_s - start_s);
-    if (!hooks.in_a_hurry && rest_s > 0.0) glfwWaitEventsTimeout(rest_s);
+    if (hooks.painted_of == 0 && rest_s > 0.0) glfwWaitEventsTimeout(rest_s);
   }
   if (hooks.closed) hooks.closed();
   keep_window(window, application.state().window);

@@ -13,10 +13,11 @@ class Application;
 // Hooks for tests and benchmarks. Called on the window's thread with its contexts current; any may
 // be empty.
 struct WindowHooks {
-  std::function<void(Application&)> opened;  // called before the first frame
-  std::function<void()> drawn;               // called after every frame
-  std::function<void()> closed;  // called after the last frame; the application still lives
-  bool in_a_hurry = false;       // no wait between frames; most are not painted
+  std::function<void(Application&)> opened;  // before the first frame
+  std::function<void()> drawn;               // after every frame
+  std::function<void()> closed;              // after the last one; the application still lives
+  // N > 0: no wait between frames, and only every Nth is painted.
+  int painted_of = 0;
 };
 
 // Returns when the user closes the window or the process is asked to end (SIGINT, SIGTERM).

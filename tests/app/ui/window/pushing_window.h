@@ -27,7 +27,7 @@ struct PushingWindow {
       device->on_read = in_a_tick;
       return session::test::pushing_session(*heard, std::move(device));
     };
-    hooks.in_a_hurry = true;
+    hooks.painted_of = 10;
   }
 
   void expect_safe_end() const {

@@ -196,7 +196,7 @@ TEST(WindowSafety, AStormOfSizesCostsNoRowAndNoPicture) {
   session::WindowOptions options;
   options.scene = file::load_scene("press")->scene;
   WindowHooks hooks;
-  hooks.in_a_hurry = true;
+  hooks.painted_of = 10;
   hooks.opened = [&](Application& opened) {
     application = &opened;
     EXPECT_FALSE(opened.live()->start_recording(path));
