@@ -73,7 +73,7 @@ TEST_F(LayoutChoiceTest, OnesOwnIsKeptChosenReplacedAndDeleted) {
 
 TEST_F(LayoutChoiceTest, AWrongNameIsRefusedBelowItsField) {
   for (const auto& [name, why] :
-       {std::pair{"bench", "'bench' is built in"}, std::pair{"   ", "needs a name"},
+       {std::pair{"bench", "'bench' is a built-in layout"}, std::pair{"   ", "needs a name"},
         std::pair{"0123456789012345678901234567890123456789x", "at most 40 bytes"}}) {
     keep_as(name);
     ASSERT_TRUE(refusal().has_value()) << name;
