@@ -14,10 +14,18 @@
 
 namespace hapticwall {
 
-// Verdicts from good to bad; docs/command-line.md defines them.
-enum class Verdict : std::uint8_t { kSettled, kBuzzing, kOscillating, kDiverged };
-inline constexpr std::array<std::string_view, 4> kVerdictNames{"settled", "buzzing", "oscillating",
-                                                               "diverged"};
+// Verdicts from good to bad; docs/verdicts.md defines them.
+enum class Verdict : std::uint8_t {
+  kSettled,
+  kMoving,  // follows a hand that moves
+  kNoContact,
+  kActive,  // gives the hand energy
+  kBuzzing,
+  kOscillating,
+  kDiverged
+};
+inline constexpr std::array<std::string_view, 7> kVerdictNames{
+    "settled", "moving", "no contact", "active", "buzzing", "oscillating", "diverged"};
 
 [[nodiscard]] constexpr std::string_view verdict_name(Verdict verdict) {
   return kVerdictNames.at(static_cast<std::size_t>(verdict));
@@ -27,6 +35,11 @@ inline constexpr std::array<std::string_view, 4> kVerdictNames{"settled", "buzzi
   const auto found = std::ranges::find(kVerdictNames, name);
   if (found == kVerdictNames.end()) return std::nullopt;
   return static_cast<Verdict>(found - kVerdictNames.begin());
+}
+
+// True for a wall that neither chatters nor gives energy, whether the hand rests or moves.
+[[nodiscard]] constexpr bool is_good(Verdict verdict) {
+  return verdict == Verdict::kSettled || verdict == Verdict::kMoving;
 }
 
 // Energy that flowed, by its sums at the end: the scale of a balance error. What flowed to and fro
@@ -55,7 +68,13 @@ struct Summary {
   // Sum of the forces over sum of the penetrations, of the tail's ticks in contact; nullopt without
   // one.
   std::optional<double> displayed_stiffness_n_per_m;
+  // Of the judged pieces (touch_metrics.h); nullopt without one.
+  std::optional<double> chatter_n;       // mean deviation of the force
+  std::optional<double> swing_m;         // peak to peak of a sine with the position's deviation
+  std::optional<double> shake_m_per_s2;  // mean deviation of the acceleration; simulator only
   // Over the whole run.
+  double given_j = 0.0;           // energy that the walls gave to the hand
+  std::optional<double> given_w;  // the same per second in contact; nullopt without a contact
   std::optional<double> max_penetration_m;  // nullopt without a contact
   double peak_force_n = 0.0;
   // Ticks with kFlagForceLimit.
@@ -117,7 +136,7 @@ inline constexpr std::string_view kLostStreamSamples = "lost_stream_samples";
 
 // Keys in the order of JSON and CSV (docs/command-line.md). A new field needs a line here and one
 // in summarise(); every output and every comparison of summaries reads this table.
-inline constexpr std::array<SummaryKey, 40> kSummaryKeys{
+inline constexpr std::array<SummaryKey, 45> kSummaryKeys{
     {{"scene", &Summary::scene, true},
      {"algorithm", &Summary::algorithm, true},
      {"verdict", &Summary::verdict},
@@ -129,6 +148,11 @@ inline constexpr std::array<SummaryKey, 40> kSummaryKeys{
      {"tail_force_mean_n", &Summary::tail_force_mean_n},
      {"tail_force_std_n", &Summary::tail_force_std_n},
      {"displayed_stiffness_n_per_m", &Summary::displayed_stiffness_n_per_m},
+     {"chatter_n", &Summary::chatter_n},
+     {"swing_m", &Summary::swing_m},
+     {"shake_m_per_s2", &Summary::shake_m_per_s2},
+     {"given_j", &Summary::given_j},
+     {"given_w", &Summary::given_w},
      {"max_penetration_m", &Summary::max_penetration_m},
      {"peak_force_n", &Summary::peak_force_n},
      {"saturated_ticks", &Summary::saturated_ticks},

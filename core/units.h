@@ -7,6 +7,7 @@ inline constexpr double kPercent = 100.0;  // per cent in 1
 inline constexpr double kNewtonsPerKilonewton = 1e3;
 inline constexpr double kMillimetresPerMetre = 1e3;
 inline constexpr double kMillijoulesPerJoule = 1e3;
+inline constexpr double kMilliwattsPerWatt = 1e3;
 inline constexpr double kMillisecondsPerSecond = 1e3;
 inline constexpr double kMicrosecondsPerSecond = 1e6;
 inline constexpr double kNanosecondsPerSecond = 1e9;

@@ -106,7 +106,7 @@ class Rerun {
         servo_(servo_settings(loaded.scene)),
         plant_(std::make_unique<PlantModel>(loaded.scene)),
         hand_(loaded.scene, recording_.scanned.first_tick, std::move(positions_m)),
-        metrics_(loaded.scene, end_tick_, true) {}
+        metrics_(loaded.scene, end_tick_, SampleOrigin::kSimulator) {}
 
   Result<RerunOutcome> run() {
     while (servo_.state().tick < end_tick_ && pass_tick()) {

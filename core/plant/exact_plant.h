@@ -50,11 +50,15 @@ class ExactPlant : public MovingPlant<typename Body::State, typename Body::Numbe
   // Stops and breakaways since construction; reset() does not clear them.
   [[nodiscard]] std::uint64_t friction_events() const { return friction_events_; }
 
-  // The hand's work on the handle so far, as the sum of actuator work, losses and kinetic energy.
-  [[nodiscard]] Real net_work_j(const Motion& motion) const {
+  // Energy that actuator and losses have taken so far.
+  [[nodiscard]] Real absorbed_j(const Motion& motion) const {
     const BasicEnergyTotals<Real>& energy = motion.energy;
     const Real loss_j = kFriction ? energy.dissipation_j() : energy.viscous_j;
-    return energy.actuator_work_j + loss_j + body_.kinetic_j(motion.body);
+    return energy.actuator_work_j + loss_j;
+  }
+  // The hand's work on the handle so far, as the sum of actuator work, losses and kinetic energy.
+  [[nodiscard]] Real net_work_j(const Motion& motion) const {
+    return absorbed_j(motion) + body_.kinetic_j(motion.body);
   }
   void write_truth(const Motion& motion, PlantTruth& truth) const {
     Base::write_truth(motion, body_.hand_force_n(motion.body, drive(motion)),

@@ -188,10 +188,13 @@ class SteppedPlant : public MovingPlant<SteppedState, double> {
 
   [[nodiscard]] double kinetic_j() const { return kinetic_j(motion_); }
 
-  [[nodiscard]] double net_work_j(const Motion& motion) const {
+  [[nodiscard]] double absorbed_j(const Motion& motion) const {
     const double loss_j =
         mechanics_.p.has_friction() ? motion.energy.dissipation_j() : motion.energy.viscous_j;
-    return motion.energy.actuator_work_j + loss_j + kinetic_j(motion);
+    return motion.energy.actuator_work_j + loss_j;
+  }
+  [[nodiscard]] double net_work_j(const Motion& motion) const {
+    return absorbed_j(motion) + kinetic_j(motion);
   }
   void write_truth(const Motion& motion, PlantTruth& truth) const {
     Base::write_truth(motion, mechanics_.hand_force_n(motion.body, drive(motion)),

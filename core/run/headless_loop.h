@@ -65,6 +65,12 @@ class HeadlessDevice {
     return static_cast<double>(motion_.body.position_m);
   }
   [[nodiscard]] bool in_reach() const { return Plant::in_reach(motion_); }
+  [[nodiscard]] double true_velocity_m_per_s() const {
+    return static_cast<double>(motion_.body.velocity_m_per_s);
+  }
+  [[nodiscard]] double absorbed_j() const {
+    return static_cast<double>(plant_.absorbed_j(motion_));
+  }
   [[nodiscard]] double net_work_j() const {
     return static_cast<double>(plant_.net_work_j(motion_));
   }
@@ -133,8 +139,9 @@ HAPTICWALL_ONE_FUNCTION void run_loop(HeadlessRun& run, Plant& plant, std::uint6
       run.on_sample(sample);
     }
     metrics.add(outcome.tick,
-                {true_position_m, outcome.contact.penetration_m, outcome.force_n,
-                 outcome.contact.in_contact, outcome.saturated},
+                {true_position_m, device.true_velocity_m_per_s(), device.absorbed_j(),
+                 outcome.contact.penetration_m, outcome.force_n, outcome.contact.in_contact,
+                 outcome.saturated},
                 state.ledger);
     device.pass_tick(state.tick, end);
     metrics.add_net_work(device.net_work_j());

@@ -1,6 +1,8 @@
 #include "core/run/metrics.h"
 
 #include <cmath>
+#include <limits>
+#include <numbers>
 
 #include "core/algorithm/algorithm.h"
 
@@ -9,7 +11,7 @@ namespace {
 
 void write_tail(const RunStats& stats, Summary& summary) {
   if (stats.tail_ticks == 0) return;
-  summary.tail_peak_to_peak_m = stats.tail_max_m - stats.tail_min_m;
+  summary.tail_peak_to_peak_m = stats.tail_way.peak_to_peak_m();
   summary.tail_force_mean_n = stats.tail_force_mean_n;
   summary.tail_force_std_n =
       std::sqrt(stats.tail_force_square_n2 / static_cast<double>(stats.tail_ticks));
@@ -21,12 +23,89 @@ void write_tail(const RunStats& stats, Summary& summary) {
   }
 }
 
-Verdict verdict_of(const Summary& summary) {
-  if (summary.diverged_at_tick) return Verdict::kDiverged;
-  const bool still =
-      summary.tail_peak_to_peak_m && *summary.tail_peak_to_peak_m <= kSettledPeakToPeakM;
-  if (!still) return Verdict::kOscillating;
-  return *summary.tail_force_std_n <= kSettledForceStdN ? Verdict::kSettled : Verdict::kBuzzing;
+// A signal that swings as a sine has √2 times its root-mean-square as its amplitude.
+constexpr double kPeakToPeakOfSine = 2.0 * std::numbers::sqrt2;
+
+void write_touch(const TouchStats& touch, const PieceStats& pieces, double rate_hz, bool has_truth,
+                 Summary& summary) {
+  if (pieces.judged > 0) {
+    summary.chatter_n = pieces.force_n;
+    summary.swing_m = kPeakToPeakOfSine * pieces.position_m;
+    if (has_truth) summary.shake_m_per_s2 = pieces.acceleration_m_per_s2;
+  }
+  summary.given_j = touch.given_j;
+  if (touch.contact_ticks > 0) {
+    summary.given_w = touch.given_j * rate_hz / static_cast<double>(touch.contact_ticks);
+  }
+}
+
+double rest_limit_m(const DeviceSettings& device, bool has_truth) {
+  return has_truth ? kSettledPeakToPeakM
+                   : kSettledPeakToPeakM + std::numbers::sqrt2 * device.encoder_m.value_or(0.0);
+}
+
+double chatter_limit_n(const DeviceSettings& device) {
+  return device.force_limit_n ? std::min(kMaxChatterN, kMaxChatterShare * *device.force_limit_n)
+                              : kMaxChatterN;
+}
+
+bool turns(const Way& way, double limit_m) {
+  constexpr double kOneWay = 0.9;  // of the way from peak to peak
+  return way.peak_to_peak_m() > limit_m &&
+         std::abs(way.last_m - way.first_m) < kOneWay * way.peak_to_peak_m();
+}
+
+// True unless the handle drifts one way. The last half second tells a swing from a drift if the
+// tail holds an odd number of half swings. A swing that dies away has half of its way there.
+bool to_and_fro(const RunStats& stats, double limit_m) {
+  return stats.tail_way.peak_to_peak_m() > limit_m &&
+         (turns(stats.tail_way, limit_m) || turns(stats.tail_end_way, 0.5 * limit_m));
+}
+
+// The first word that applies.
+Verdict verdict_of(const Summary& summary, const RunStats& stats, const DeviceSettings& device,
+                   const RunEnd& end) {
+  if (end.diverged_at_tick) return Verdict::kDiverged;
+  if (!summary.tail_peak_to_peak_m) return Verdict::kOscillating;  // see has_verdict()
+  if (stats.touch.touches == 0) return Verdict::kNoContact;
+  const double limit_m = rest_limit_m(device, end.has_truth);
+  const bool rests = *summary.tail_peak_to_peak_m <= limit_m;
+  if (summary.chatter_n.value_or(0.0) > chatter_limit_n(device)) {
+    const bool swings = end.hand_rests ? !rests : *summary.swing_m > limit_m;
+    return swings ? Verdict::kOscillating : Verdict::kBuzzing;
+  }
+  if (end.hand_rests && to_and_fro(stats, limit_m)) return Verdict::kOscillating;
+  const bool at_rest = end.hand_rests && rests;
+  if (summary.given_w.value_or(0.0) > kMaxGivenW && !at_rest) return Verdict::kActive;
+  return rests ? Verdict::kSettled : Verdict::kMoving;
+}
+
+std::optional<std::string> note_of(const Summary& summary, const RunStats& stats) {
+  if (stats.tail_ticks == 0) return std::nullopt;
+  if (summary.duration_s < kTailS) return kShortRun;
+  if (stats.touch.touches > 0 && !summary.chatter_n) return kShortTouches;
+  return std::nullopt;
+}
+
+// From this instant on a path of points stays where it is.
+double rests_from_s(const std::vector<PathPoint>& points) {
+  for (std::size_t i = points.size(); i > 1; --i) {
+    if (points[i - 2].position_m != points.back().position_m) return points[i - 1].time_s;
+  }
+  return 0.0;
+}
+
+double rests_from_tick(const std::vector<PathPiece>& pieces) {
+  for (std::size_t i = pieces.size(); i > 0; --i) {
+    if (pieces[i - 1].velocity_m_per_s != 0.0) {
+      return i < pieces.size() ? pieces[i].from_tick : std::numeric_limits<double>::infinity();
+    }
+    if (i > 1 && pieces[i - 2].velocity_m_per_s == 0.0 &&
+        pieces[i - 2].position_m != pieces[i - 1].position_m) {
+      return pieces[i - 1].from_tick;
+    }
+  }
+  return 0.0;
 }
 
 }  // namespace
@@ -45,8 +124,10 @@ Summary summarise(const Scene& scene, const RunStats& stats, const EnergyLedger&
   summary.duration_s = static_cast<double>(end.ticks) / scene.sampling.rate_hz;
   summary.diverged_at_tick = end.diverged_at_tick;
   write_tail(stats, summary);
-  summary.verdict = verdict_of(summary);
-  if (stats.tail_ticks > 0 && summary.duration_s < kTailS) summary.verdict_note = kShortRun;
+  write_touch(stats.touch, end.hand_rests ? stats.touch.tail_pieces : stats.touch.pieces,
+              scene.sampling.rate_hz, end.has_truth, summary);
+  summary.verdict = verdict_of(summary, stats, scene.x().device, end);
+  summary.verdict_note = note_of(summary, stats);
   if (stats.contacts > 0) summary.max_penetration_m = stats.max_penetration_m;
   summary.peak_force_n = stats.peak_force_n;
   summary.saturated_ticks = stats.saturated_ticks;
@@ -73,27 +154,62 @@ Summary summarise(const Scene& scene, const RunStats& stats, const EnergyLedger&
   return summary;
 }
 
-Metrics::Metrics(const Scene& scene, std::uint64_t planned_ticks, bool has_truth)
+bool hand_rests_from(const Scene& scene, std::uint64_t tick) {
+  if (!scene.x().hand) return true;
+  const HandSettings& hand = *scene.x().hand;
+  if (hand.follows_mouse) return false;
+  const auto from_tick = static_cast<double>(tick);
+  if (hand.path.recorded) {
+    const RecordedPieces& recorded = *hand.path.recorded;
+    return rests_from_tick(recorded.pieces) <= from_tick;
+  }
+  return rests_from_s(hand.path.points()) * scene.sampling.rate_hz <= from_tick;
+}
+
+TickMetrics tick_metrics(const Scene& scene) {
+  const std::uint64_t tail = tail_begin_tick(scene.tick_count(), scene.sampling.rate_hz);
+  return {scene.sampling.rate_hz, tail, hand_rests_from(scene, tail) ? tail : 0};
+}
+
+Metrics::Metrics(const Scene& scene, std::uint64_t planned_ticks, SampleOrigin origin)
     : scene_(scene),
-      has_truth_(has_truth),
-      ticks_(tail_begin_tick(planned_ticks, scene.sampling.rate_hz)) {}
+      origin_(origin),
+      tail_begin_tick_(tail_begin_tick(planned_ticks, scene.sampling.rate_hz)),
+      ticks_(scene.sampling.rate_hz, tail_begin_tick_, 0) {}
+
+double Metrics::absorbed_by_device_j(const Sample& sample) {
+  if (origin_ == SampleOrigin::kDevice) return sample.energy_scv_j - sample.energy_budget_j;
+  if (end_.ticks > 0) {
+    applied_j_ += last_.applied_force_n * (sample.position_m - last_.position_m);
+  }
+  return applied_j_ - sample.energy_budget_j;
+}
 
 void Metrics::add(const Sample& sample) {
-  const double position_m = has_truth_ ? sample.truth.position_m : sample.position_m;
+  const bool has_truth = origin_ == SampleOrigin::kSimulator;
+  const PlantTruth& truth = sample.truth;
+  const double position_m = has_truth ? truth.position_m : sample.position_m;
   if (end_.diverged_at_tick || has_diverged(position_m) || !std::isfinite(sample.force_n)) {
     if (!end_.diverged_at_tick) diverge(sample.tick);
     // A device was commanded, wherever its handle went.
-    if (!has_truth_) ticks_.add_force(sample.force_n);
+    if (!has_truth) ticks_.add_force(sample.force_n);
     return;
   }
-  if (has_truth_) {
-    if (!initial_kinetic_j_) initial_kinetic_j_ = sample.truth.kinetic_j;
-    const PlantTruth& truth = sample.truth;
-    ticks_.add_net_work(truth.actuator_work_j + truth.dissipation_j + truth.kinetic_j -
-                        *initial_kinetic_j_);
+  double absorbed_j = 0.0;
+  if (has_truth) {
+    if (!initial_kinetic_j_) initial_kinetic_j_ = truth.kinetic_j;
+    absorbed_j = truth.actuator_work_j + truth.dissipation_j;
+    ticks_.add_net_work(absorbed_j + truth.kinetic_j - *initial_kinetic_j_);
+    if (end_.ticks == tail_begin_tick_) {
+      tail_path_m_ = truth.hand_path_m;
+      hand_rests_ = true;
+    }
+    if (tail_path_m_ && truth.hand_path_m != *tail_path_m_) hand_rests_ = false;
+  } else {
+    absorbed_j = absorbed_by_device_j(sample);
   }
   ticks_.add(end_.ticks++,
-             {position_m, sample.penetration_m, sample.force_n,
+             {position_m, truth.velocity_m_per_s, absorbed_j, sample.penetration_m, sample.force_n,
               (sample.flags & kFlagInContact) != 0, (sample.flags & kFlagForceLimit) != 0},
              ledger_of(sample));
   last_ = sample;
@@ -106,7 +222,10 @@ Summary Metrics::finish() const {
     energies = plant_energies(truth.actuator_work_j, truth.dissipation_j, truth.hand_work_j,
                               truth.kinetic_j, *initial_kinetic_j_);
   }
-  return summarise(scene_, ticks_.stats(), ledger_of(last_), energies, end_);
+  RunEnd end = end_;
+  end.hand_rests = hand_rests_;
+  end.has_truth = origin_ == SampleOrigin::kSimulator;
+  return summarise(scene_, ticks_.stats(), ledger_of(last_), energies, end);
 }
 
 }  // namespace hapticwall

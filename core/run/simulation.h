@@ -31,8 +31,9 @@ class Simulation {
         run_loop_(loop),
         plant_(make(scene)),
         run_{options.on_sample, options.signals, Servo(servo_settings(scene)),
-             OutputStage(scene.x().device),
-             TickMetrics(tail_begin_tick(scene.tick_count(), scene.sampling.rate_hz))} {}
+             OutputStage(scene.x().device), tick_metrics(scene)},
+        hand_rests_(
+            hand_rests_from(scene, tail_begin_tick(scene.tick_count(), scene.sampling.rate_hz))) {}
 
   // Runs to the end, or until `should_stop` returns true. Call it once.
   SimulationResult run() {
@@ -131,6 +132,7 @@ class Simulation {
   RunLoop run_loop_;
   Variant plant_;
   HeadlessRun run_;
+  bool hand_rests_;  // in the tail; changes leave the hand's path as it is
   std::size_t next_change_ = 0;
   bool stopped_early_ = false;
 };
@@ -146,7 +148,7 @@ Summary Simulation<Variant>::summary() const {
       },
       plant_);
   return summarise(scene_, run_.metrics.stats(), run_.servo.state().ledger, energies,
-                   {run_.servo.state().tick, run_.diverged_at_tick});
+                   {run_.servo.state().tick, run_.diverged_at_tick, hand_rests_});
 }
 
 }  // namespace hapticwall

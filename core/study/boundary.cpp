@@ -48,27 +48,34 @@ Scene scene_at(const BoundaryPlan& plan, const Search& search, double value) {
   return scene;
 }
 
-bool settles(const Summary& summary) { return summary.verdict == Verdict::kSettled; }
+// A wall that is not touched is no limit: the bisection counts it as good, the scan skips it.
+bool settles(const Summary& summary) {
+  return is_good(summary.verdict) || summary.verdict == Verdict::kNoContact;
+}
 
 // `scan`: in the order of the values.
 void take_scan(const BoundaryPlan& plan, std::span<Summary> scan, Search& search) {
   Boundary& found = search.found;
-  std::vector<std::size_t> changes;  // first value after each
+  std::vector<std::pair<std::size_t, std::size_t>> changes;  // values before and after each
+  std::optional<std::size_t> before;
   for (std::size_t i = 0; i < scan.size(); ++i) {
+    if (scan[i].verdict == Verdict::kNoContact) continue;
     Extent& extent = settles(scan[i]) ? found.settled : found.failed;
     if (!extent.first) extent.first = plan.along.value(i);
     extent.last = plan.along.value(i);
-    if (i > 0 && settles(scan[i]) != settles(scan[i - 1])) changes.push_back(i);
+    if (before && settles(scan[i]) != settles(scan[*before])) changes.emplace_back(*before, i);
+    before = i;
   }
   found.changes = changes.size();
   if (changes.empty()) {
-    if (settles(scan.back())) found.at_settled = std::move(scan.back());
+    if (before && settles(scan[*before])) found.at_settled = std::move(scan[*before]);
     return;
   }
   if (changes.size() > 1) changes = {changes.front(), changes.back()};
-  for (const std::size_t i : changes) {
-    const std::size_t settled = settles(scan[i]) ? i : i - 1;
-    const std::size_t failed = settled == i ? i - 1 : i;
+  for (const auto& [left, right] : changes) {
+    const bool falls = settles(scan[left]);
+    const std::size_t settled = falls ? left : right;
+    const std::size_t failed = falls ? right : left;
     search.changes.push_back({plan.along.value(settled), plan.along.value(failed), scan[settled]});
   }
 }

@@ -25,7 +25,8 @@ struct BoundaryPlan {
 };
 inline constexpr double kMinTolerance = 1e-12;
 
-// Smallest and largest value with a verdict; nullopt: none in the scan. A change of verdict between
+// Smallest and largest value with a verdict; nullopt: none in the scan. `settled` counts settled
+// and moving; a wall that is not touched has no verdict. A change of verdict between
 // two values of the scan is found to the tolerance. A change and its reverse between two values of
 // the scan are not seen: the step of the scan belongs to the result.
 struct Extent {
@@ -37,7 +38,7 @@ struct Boundary {
   std::size_t algorithm = 0;  // index in BoundaryPlan::algorithms
   std::optional<double> x;    // value of the axis x, if any
   Extent settled;
-  Extent failed;                      // any other verdict
+  Extent failed;                      // chatters, gives energy or diverges
   std::size_t changes = 0;            // of verdict in the scan; more than 1: islands
   std::optional<Summary> at_settled;  // on the settled side of the first change
   // Limit by theory: exact_stable_limit(). nullopt unless the key is the stiffness of the only

@@ -152,7 +152,7 @@ RC_GTEST_PROP(Simulate, SummaryIsThatOfItsSamples, ()) {
   set_parameter(scene.algorithm, "then", flip() ? 1.0 : 0.0);
   const Run all = run(scene);
   RC_PRE(all.result.summary.verdict != Verdict::kDiverged);  // its last tick has no sample
-  Metrics metrics(scene, scene.tick_count(), true);
+  Metrics metrics(scene, scene.tick_count(), SampleOrigin::kSimulator);
   for (const Sample& row : all.rows) metrics.add(row);
   Summary from_samples = metrics.finish();
   for (const auto energy :

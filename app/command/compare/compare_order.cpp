@@ -51,7 +51,7 @@ Verdict worst_verdict(const RunSummary& run) {
 
 Place usual_place(const RunSummary& run) {
   const Summary& x = run.front();
-  if (worst_verdict(run) != Verdict::kSettled) return place_of(x.tail_peak_to_peak_m);
+  if (!is_good(worst_verdict(run))) return place_of(x.tail_peak_to_peak_m);
   Place place = place_of(x.displayed_stiffness_n_per_m);
   place.number = -place.number;
   return place;

@@ -135,6 +135,11 @@ struct Outcome {
   bool stopped_early = false;
 };
 
+SampleOrigin origin_of(const file::CsvColumns& columns) {
+  if (columns.of_simulator()) return SampleOrigin::kSimulator;
+  return columns.applied ? SampleOrigin::kDeviceWithForce : SampleOrigin::kDevice;
+}
+
 // The summary of the recorded rows.
 Result<Outcome> summarise(file::RecordingReader& recording, RunOutputs& outputs) {
   const file::RecordingInfo& info = recording.info();
@@ -143,7 +148,7 @@ Result<Outcome> summarise(file::RecordingReader& recording, RunOutputs& outputs)
       std::ranges::any_of(diverged_at_tick, [](const auto& tick) { return tick.has_value(); });
   // A run that diverged did not reach its tail.
   const std::uint64_t planned = diverged ? info.loaded.scene.tick_count() : recording.rows();
-  AxesMetrics metrics(info.loaded.scene, planned, info.of_simulator());
+  AxesMetrics metrics(info.loaded.scene, planned, origin_of(info.scanned.columns));
   std::vector<Tick> rows(file::kRowsPerBlock);
   bool stopped = false;
   for (std::uint64_t row = 0; row < recording.rows() && !stopped;) {

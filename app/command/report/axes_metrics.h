@@ -16,9 +16,9 @@ namespace hapticwall::command {
 class AxesMetrics {
  public:
   // Parameters as in Metrics.
-  AxesMetrics(const Scene& scene, std::uint64_t planned_ticks, bool has_truth) {
+  AxesMetrics(const Scene& scene, std::uint64_t planned_ticks, SampleOrigin origin) {
     for (std::size_t axis = 0; axis < scene.axes.size(); ++axis) {
-      axes_.emplace_back(axis_scene(scene, axis), planned_ticks, has_truth);
+      axes_.emplace_back(axis_scene(scene, axis), planned_ticks, origin);
     }
   }
 

@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::size_t kLabelWidth = 22;
 constexpr std::string_view kHandMoves =
-    "the hand's script still moves in the last second: peak to peak and verdict include its way";
+    "the hand's script still moves in the last second: peak to peak includes its way";
 
 std::string millimetres(std::optional<double> value_m) {
   return file::fixed(value_m, kMillimetresPerMetre, 3);
@@ -57,7 +57,7 @@ struct Column {
   std::optional<double> (*value)(const Summary&) = nullptr;  // compared for `best`
 };
 
-constexpr std::array<Column, 11> kColumns{
+constexpr std::array<Column, 13> kColumns{
     {{"algorithm", "", [](const Summary& s) { return s.algorithm; }},
      {"verdict", "", [](const Summary& s) { return std::string(verdict_name(s.verdict)); }},
      {"tail p-p", "mm", [](const Summary& s) { return millimetres(s.tail_peak_to_peak_m); },
@@ -74,7 +74,10 @@ constexpr std::array<Column, 11> kColumns{
      {"E observer", "mJ", [](const Summary& s) { return millijoules(s.energy_cv_j); }},
      {"E exchanged", "mJ", [](const Summary& s) { return millijoules(s.energy_scv_j); }},
      {"margin", "mJ", [](const Summary& s) { return millijoules(s.passivity_margin_j); },
-      Best::kLargest, [](const Summary& s) { return s.passivity_margin_j; }}}};
+      Best::kLargest, [](const Summary& s) { return s.passivity_margin_j; }},
+     {"chatter", "N", [](const Summary& s) { return newtons(s.chatter_n); }},
+     {"given", "mW",
+      [](const Summary& s) { return file::fixed(s.given_w, kMilliwattsPerWatt, 2); }}}};
 constexpr std::string_view kBestLegend =
     "* best of its column, before rounding: smallest tail p-p and largest margin of what did not "
     "diverge;\n"
@@ -90,6 +93,19 @@ std::string tail_text(const Summary& s) {
   if (!s.tail_peak_to_peak_m) return "not reached";
   return fmt::format("{} mm peak to peak, force {} +/- {} N", millimetres(s.tail_peak_to_peak_m),
                      newtons(s.tail_force_mean_n), newtons(s.tail_force_std_n));
+}
+
+std::string chatter_text(const Summary& s) {
+  if (!s.chatter_n) return "not judged";
+  std::string text = fmt::format("{} N, swing {} mm", newtons(s.chatter_n), millimetres(s.swing_m));
+  if (s.shake_m_per_s2) text += fmt::format(", shake {:.2f} m/s²", *s.shake_m_per_s2);
+  return text;
+}
+
+std::string given_text(const Summary& s) {
+  if (!s.given_w) return "-";
+  return fmt::format("{} mJ, {} mW in contact", millijoules(s.given_j),
+                     file::fixed(s.given_w, kMilliwattsPerWatt, 2));
 }
 
 std::string contact_text(const Summary& s) {
@@ -112,7 +128,8 @@ std::string axis_lines(const Summary& s) {
   return summary_line(tail_label(s), tail_text(s)) +
          summary_line("displayed stiffness",
                       table::kilonewtons_per_metre(s.displayed_stiffness_n_per_m) + " kN/m") +
-         summary_line("wall", contact_text(s)) +
+         summary_line("wall", contact_text(s)) + summary_line("chatter", chatter_text(s)) +
+         summary_line("given to the hand", given_text(s)) +
          summary_line("energy observed",
                       fmt::format("{} mJ (Eq. 6), minimum {} mJ", millijoules(s.energy_cv_j),
                                   millijoules(s.min_energy_cv_j))) +
@@ -155,7 +172,7 @@ std::optional<double> entry(const Column& column, const Row& row) {
   if (column.best == Best::kNone || row.diverged) return std::nullopt;
   const bool of_settled =
       column.best == Best::kSmallestSettled || column.best == Best::kLargestSettled;
-  if (of_settled && row.summary.verdict != Verdict::kSettled) return std::nullopt;
+  if (of_settled && !is_good(row.summary.verdict)) return std::nullopt;
   const std::optional<double> value = column.value(row.summary);
   if (!value || !std::isfinite(*value)) return std::nullopt;
   const bool largest = column.best == Best::kLargest || column.best == Best::kLargestSettled;

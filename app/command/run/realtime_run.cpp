@@ -53,8 +53,10 @@ std::string status_text(const session::LiveSession& session, const session::Snap
 // Forwards the ticks that the loop has produced.
 class TickTaker {
  public:
-  TickTaker(const Scene& scene, bool has_truth)
-      : metrics_(scene, scene.tick_count(), has_truth), ticks_(kTicksPerPoll) {}
+  TickTaker(const Scene& scene, bool is_simulated)
+      : metrics_(scene, scene.tick_count(),
+                 is_simulated ? SampleOrigin::kSimulator : SampleOrigin::kDeviceWithForce),
+        ticks_(kTicksPerPoll) {}
 
   // Returns the number of ticks.
   std::uint64_t take(session::LiveSession& session, const RealtimeRun& run) {

@@ -21,6 +21,8 @@ constexpr float kThinLineWeight = 0.8F;
 constexpr float kBelowPlotEms = 4.0F;  // labels and title of the axis across
 
 constexpr ImU32 kSettled = IM_COL32(203, 226, 222, 255);
+constexpr ImU32 kUntouched = IM_COL32(208, 208, 208, 255);
+constexpr ImU32 kActive = IM_COL32(140, 190, 235, 255);
 constexpr ImU32 kBuzzing = IM_COL32(176, 160, 214, 255);
 constexpr ImU32 kDiverged = IM_COL32(52, 42, 48, 255);
 // Colours from the smallest oscillation to the largest.
@@ -128,15 +130,15 @@ MapFieldArea draw_field(const Theme& theme, const MapContents& contents, std::si
   const StabilityMap& map = contents.map;
   const std::size_t cells = map.x.count * map.y.count;
   const std::span<const MapMetrics> figures = contents.figures.subspan(algorithm * cells, cells);
-  const auto settled = std::ranges::count(figures, Verdict::kSettled, &MapMetrics::verdict);
+  const auto good = std::ranges::count_if(figures, is_good, &MapMetrics::verdict);
   ImGui::BeginGroup();
   ImGui::PushFont(theme.fonts.strong, kFontSize);
   ImGui::TextUnformatted(label_of(map, algorithm).c_str());
   ImGui::PopFont();
   ImGui::SameLine();
   ImGui::PushFont(nullptr, kSmallFontSize);
-  ImGui::TextDisabled("%.1f %% settled",
-                      100.0 * static_cast<double>(settled) / static_cast<double>(cells));
+  ImGui::TextDisabled("%.1f %% settled or moving",
+                      100.0 * static_cast<double>(good) / static_cast<double>(cells));
   const float height = size.y - ImGui::GetTextLineHeightWithSpacing() - ImGui::GetFontSize();
   const std::string name = fmt::format("##map{}", algorithm);
   if (ImPlot::BeginPlot(name.c_str(), ImVec2(size.x, height),
@@ -190,6 +192,8 @@ std::size_t columns_for(std::size_t fields) {
 }  // namespace
 
 ImU32 settled_colour() { return kSettled; }
+ImU32 untouched_colour() { return kUntouched; }
+ImU32 active_colour() { return kActive; }
 ImU32 buzzing_colour() { return kBuzzing; }
 ImU32 diverged_colour() { return kDiverged; }
 
@@ -204,9 +208,21 @@ ImU32 oscillating_colour(double tail_peak_to_peak_m) {
 }
 
 ImU32 colour_of(const MapMetrics& figures) {
-  if (figures.verdict == Verdict::kSettled) return settled_colour();
-  if (figures.verdict == Verdict::kBuzzing) return buzzing_colour();
-  if (figures.verdict == Verdict::kDiverged) return diverged_colour();
+  switch (figures.verdict) {
+    case Verdict::kSettled:
+    case Verdict::kMoving:
+      return settled_colour();
+    case Verdict::kNoContact:
+      return untouched_colour();
+    case Verdict::kActive:
+      return active_colour();
+    case Verdict::kBuzzing:
+      return buzzing_colour();
+    case Verdict::kDiverged:
+      return diverged_colour();
+    case Verdict::kOscillating:
+      break;
+  }
   return oscillating_colour(figures.tail_peak_to_peak_m.value_or(kHottestM));
 }
 
@@ -227,10 +243,12 @@ std::vector<BoundLines> map_bounds(const StabilityMap& map) {
 
 void draw_map_legend(std::span<const BoundLines> bounds, float scale) {
   const FontScope font(nullptr, kSmallFontSize);
-  draw_key(settled_colour(), "settled");
-  const std::string buzzing =
-      fmt::format("still to {:g} mm, force ± more than {:g} N",
-                  kSettledPeakToPeakM * kMillimetresPerMetre, kSettledForceStdN);
+  draw_key(settled_colour(), "settled or moving");
+  draw_key(untouched_colour(), "no contact");
+  const std::string active =
+      fmt::format("active: gives more than {:g} mW", kMaxGivenW * kMilliwattsPerWatt);
+  draw_key(active_colour(), active.c_str());
+  const std::string buzzing = fmt::format("buzzing: still, chatter above {:g} N", kMaxChatterN);
   draw_key(buzzing_colour(), buzzing.c_str());
   constexpr std::array kShownM{kSettledPeakToPeakM, 1e-3, 1e-2, kHottestM};
   for (const double amplitude_m : kShownM) {

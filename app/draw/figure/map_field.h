@@ -20,6 +20,8 @@ namespace hapticwall::draw {
 inline constexpr double kHottestM = 0.1;
 
 [[nodiscard]] ImU32 settled_colour();
+[[nodiscard]] ImU32 untouched_colour();
+[[nodiscard]] ImU32 active_colour();
 [[nodiscard]] ImU32 buzzing_colour();
 [[nodiscard]] ImU32 oscillating_colour(double tail_peak_to_peak_m);
 [[nodiscard]] ImU32 diverged_colour();

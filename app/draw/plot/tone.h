@@ -34,7 +34,7 @@ enum class Tone : std::uint8_t {
 inline constexpr std::size_t kToneCount = 19;
 
 [[nodiscard]] constexpr Tone verdict_tone(Verdict verdict) {
-  constexpr std::array kTones{Tone::kGood, Tone::kWarning, Tone::kBad};
+  constexpr std::array kTones{Tone::kGood, Tone::kMuted, Tone::kWarning, Tone::kBad};
   return kTones.at(static_cast<std::size_t>(file::grade_of(verdict)));
 }
 

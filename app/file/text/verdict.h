@@ -10,12 +10,15 @@
 namespace hapticwall::file {
 
 // app/draw/plot/tone.h gives each grade its colour.
-enum class VerdictGrade : std::uint8_t { kGood, kWarning, kBad };
+enum class VerdictGrade : std::uint8_t { kGood, kNone, kWarning, kBad };
 
-// kWarning: the handle rests and the force does not. kBad: the handle moves or the run diverged.
+// kNone: nothing to judge. kWarning: the force shakes while the handle rests, or the wall gives
+// energy. kBad: the handle shakes, or the run diverged.
 [[nodiscard]] constexpr VerdictGrade grade_of(Verdict verdict) {
-  if (verdict == Verdict::kSettled) return VerdictGrade::kGood;
-  return verdict == Verdict::kBuzzing ? VerdictGrade::kWarning : VerdictGrade::kBad;
+  if (is_good(verdict)) return VerdictGrade::kGood;
+  if (verdict == Verdict::kNoContact) return VerdictGrade::kNone;
+  const bool warns = verdict == Verdict::kBuzzing || verdict == Verdict::kActive;
+  return warns ? VerdictGrade::kWarning : VerdictGrade::kBad;
 }
 
 // "settled"; "diverged at tick 12".

@@ -14,7 +14,7 @@ from hapticwall._path import Path
 from hapticwall._scene import Scene, scene_of
 
 # In the order of the module's index, from good to bad.
-_VERDICTS = np.array(["settled", "buzzing", "oscillating", "diverged"])
+_VERDICTS = np.array(["settled", "moving", "no contact", "active", "buzzing", "oscillating", "diverged"])
 
 Values = Sequence[float] | npt.NDArray[np.float64]
 
@@ -34,7 +34,7 @@ class Map:
 
     @property
     def verdict(self) -> npt.NDArray[np.str_]:
-        """ "settled", "buzzing", "oscillating" or "diverged"."""
+        """ "settled", "moving", "no contact", "active", "buzzing", "oscillating" or "diverged"."""
         names: npt.NDArray[np.str_] = _VERDICTS[self["verdict"].astype(int)]
         return names
 

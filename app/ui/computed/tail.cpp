@@ -22,12 +22,50 @@ std::uint64_t tick_at(const SampleHistory& history, std::size_t end) {
   return static_cast<std::uint64_t>(history.value(&Sample::tick, end - 1)) + 1;
 }
 
-RunStats stats_of(const SampleHistory& history, IndexRange range) {
-  TickMetrics metrics(0);
-  for (std::size_t i = range.first; i < range.last; ++i) {
+// Energy that actuator and losses have taken at each sample, as Metrics counts it.
+class Absorbed {
+ public:
+  Absorbed(const SampleHistory& history, bool knows_truth)
+      : history_(history), knows_truth_(knows_truth) {}
+
+  // Call it for neighbouring samples, in order.
+  double at(std::size_t i) {
+    if (knows_truth_) {
+      return history_.value(&PlantTruth::actuator_work_j, i) +
+             history_.value(&PlantTruth::dissipation_j, i);
+    }
+    const double position_m = history_.value(&Sample::position_m, i);
+    if (last_m_) applied_j_ += last_n_ * (position_m - *last_m_);
+    last_m_ = position_m;
+    last_n_ = history_.value(&Sample::applied_force_n, i);
+    return applied_j_ - history_.value(&Sample::energy_budget_j, i);
+  }
+
+ private:
+  const SampleHistory& history_;
+  bool knows_truth_;
+  double applied_j_ = 0.0;
+  double last_n_ = 0.0;
+  std::optional<double> last_m_;
+};
+
+// Statistics of the tail `range`, judged with the pieces before it that decide whether its first
+// one is judged, and with the pieces of a run that begins at tick 0.
+RunStats stats_of(const SampleHistory& history, IndexRange range, double rate_hz,
+                  bool knows_truth) {
+  const std::uint64_t piece = piece_ticks(rate_hz);
+  const std::uint64_t tail_tick = tick_at(history, range.first + 1) - 1;
+  const std::uint64_t before = kTouchingBefore * piece + tail_tick % piece;
+  const std::uint64_t first = range.first - std::min<std::uint64_t>(range.first, before);
+  std::size_t from = first;
+  while (from < range.first && (tick_at(history, from + 1) - 1) % piece != 0) ++from;
+  TickMetrics metrics(rate_hz, range.first, range.first);
+  Absorbed absorbed(history, knows_truth);
+  for (std::size_t i = from; i < range.last; ++i) {
     const auto flags = static_cast<std::uint32_t>(history.value(&Sample::flags, i));
-    metrics.add(i - range.first,
+    metrics.add(i,
                 {history.value(&PlantTruth::position_m, i),
+                 history.value(&PlantTruth::velocity_m_per_s, i), absorbed.at(i),
                  history.value(&Sample::penetration_m, i), history.value(&Sample::force_n, i),
                  (flags & kFlagInContact) != 0, (flags & kFlagForceLimit) != 0},
                 {});
@@ -61,28 +99,36 @@ std::optional<double> frequency_of(const SampleHistory& history, IndexRange rang
 std::string movement_text(const Tail& tail) {
   if (tail.summary.verdict == Verdict::kSettled) return "quiet";
   if (tail.frequency_hz) return fixed(tail.frequency_hz, 1.0, 1) + " Hz";
-  return tail.hand_moves ? "the hand moves" : "no rhythm";
+  return is_good(tail.summary.verdict) ? "the hand moves" : "no rhythm";
+}
+
+// True for a verdict about something that swings.
+bool shakes(Verdict verdict) {
+  return verdict == Verdict::kBuzzing || verdict == Verdict::kOscillating;
 }
 
 }  // namespace
 
-Tail tail_of(const SampleHistory& history, const Scene& scene, std::size_t end) {
+Tail tail_of(const SampleHistory& history, const Scene& scene, std::size_t end, bool knows_truth) {
   Tail tail;
   if (end == 0) return tail;
   const double rate_hz = scene.sampling.rate_hz;
   const IndexRange range{static_cast<std::size_t>(tail_begin_tick(end, rate_hz)), end};
   tail.end_tick = tick_at(history, end);
-  RunEnd run_end{.ticks = range.count(), .diverged_at_tick = std::nullopt};
+  const Extremes hand = history.extremes(&PlantTruth::hand_path_m, range);
+  RunEnd run_end{.ticks = range.count(),
+                 .diverged_at_tick = std::nullopt,
+                 .hand_rests = knows_truth && !(hand.maximum > hand.minimum),
+                 .has_truth = knows_truth};
   const Extremes places = history.extremes(&PlantTruth::position_m, range);
   if (has_diverged(places.minimum) || has_diverged(places.maximum)) {
     run_end.diverged_at_tick = tail.end_tick;
   }
-  tail.summary = summarise(scene, stats_of(history, range), {}, std::nullopt, run_end);
+  tail.summary =
+      summarise(scene, stats_of(history, range, rate_hz, knows_truth), {}, std::nullopt, run_end);
   // The summary contains that the run has diverged, but not when.
   tail.summary.diverged_at_tick.reset();
-  const Extremes hand = history.extremes(&PlantTruth::hand_path_m, range);
-  tail.hand_moves = hand.maximum > hand.minimum;
-  if (tail.summary.verdict != Verdict::kSettled) {
+  if (shakes(tail.summary.verdict)) {
     const bool force_alone = tail.summary.verdict == Verdict::kBuzzing;
     tail.frequency_hz = frequency_of(
         history, range,
@@ -92,7 +138,7 @@ Tail tail_of(const SampleHistory& history, const Scene& scene, std::size_t end) 
 }
 
 void note_tails(Tails& tails, const draw::TickHistory& history, const Scene& scene,
-                std::optional<double> at_s) {
+                bool knows_truth, std::optional<double> at_s) {
   for (std::size_t axis = 0; axis < tails.size(); ++axis) {
     Tail& tail = tails.at(axis);
     const SampleHistory& samples = history.axis(axis);
@@ -102,7 +148,7 @@ void note_tails(Tails& tails, const draw::TickHistory& history, const Scene& sce
     }
     const std::size_t end = at_s ? *samples.nearest(*at_s) + 1 : samples.size();
     if (tick_at(samples, end) != tail.end_tick) {
-      tail = tail_of(samples, axis_scene(scene, axis), end);
+      tail = tail_of(samples, axis_scene(scene, axis), end, knows_truth);
     }
   }
 }

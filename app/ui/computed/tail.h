@@ -19,18 +19,18 @@ struct Tail {
   Summary summary;             // its tail and its verdict; the rest is that of the last second
   // Frequency of the position, or of the force if only the force shakes.
   std::optional<double> frequency_hz;
-  bool hand_moves = false;  // true: the handle moves without shaking
 };
 using Tails = std::array<Tail, kMaxAxes>;
 
-// The second before the sample `end`, or all of it if it is shorter. `scene`: of its axis.
-// Precondition: end <= history.size().
-[[nodiscard]] Tail tail_of(const draw::SampleHistory& history, const Scene& scene, std::size_t end);
+// The second before the sample `end`, or all of it if it is shorter, judged alone. `scene`: of its
+// axis. `knows_truth`: see SampleSource. Precondition: end <= history.size().
+[[nodiscard]] Tail tail_of(const draw::SampleHistory& history, const Scene& scene, std::size_t end,
+                           bool knows_truth);
 
 // Keeps the tails of all axes up to date: of the newest second, or of that before `at_s`. Costs
 // nothing without a new sample.
 void note_tails(Tails& tails, const draw::TickHistory& history, const Scene& scene,
-                std::optional<double> at_s = std::nullopt);
+                bool knows_truth, std::optional<double> at_s = std::nullopt);
 
 // "50.0 Hz · 2.825 mm p-p"; empty without a rhythm.
 [[nodiscard]] std::string rhythm_text(const Tail& tail);

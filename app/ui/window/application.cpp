@@ -198,7 +198,7 @@ void Application::note_sound() {
 // Shows the newest sample, or the one under the pointer while plots are frozen.
 void Application::look_at_moment(session::Snapshot& snapshot) {
   const std::optional<double> looked_at_s = std::exchange(state_.time.looked_at_s, {});
-  note_tails(state_.tails, history_, session().scene(), looked_at_s);
+  note_tails(state_.tails, history_, session().scene(), session().knows_truth(), looked_at_s);
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
     const draw::SampleHistory& samples = history_.axis(axis);
     Swept& swept = state_.wall.transient.swept.at(axis);

@@ -24,10 +24,13 @@ namespace {
 constexpr float kLayoutEms = 8.5F;
 constexpr float kLampGapEms = 1.2F;
 constexpr const char* kVerdictMeaning =
-    "The last second, by the formulas of 'hapticwall run': verdict, way of the handle from peak to "
-    "peak, mean force and its standard deviation, mean force over mean penetration, and the rhythm "
-    "of what shakes. settled: within 0.1 mm and 0.3 N. buzzing: the handle rests and the force "
-    "does not. oscillating: the handle moves, also when it only follows the hand.";
+    "The last second, with the formulas of 'hapticwall run': verdict, peak-to-peak motion of the "
+    "handle, mean force and its standard deviation, mean force over mean penetration, and the "
+    "frequency of what shakes. Chatter is what the force does within 50 ms beyond a straight line, "
+    "at least 0.2 s after a touch. Above 0.3 N, or a tenth of the force limit, the wall is "
+    "buzzing, "
+    "or oscillating if the handle swings by more than 0.1 mm. Otherwise the handle rests (settled) "
+    "or moves (moving), and a wall that gives the hand more than 5 mW is called active.";
 
 // The verdict of the last second on the shown axis. Neutral during a blind test.
 void draw_verdict(const PanelContext& context) {
@@ -43,11 +46,7 @@ void draw_verdict(const PanelContext& context) {
     const draw::FontScope fitting(context.theme.fonts.digits,
                                   std::clamp(std::floor(share * draw::kTitleFontSize),
                                              draw::kSmallFontSize, draw::kTitleFontSize));
-    const bool on_its_way = tail.summary.verdict == Verdict::kOscillating && !tail.frequency_hz;
-    const draw::Tone tone = on_its_way && tail.hand_moves
-                                ? draw::Tone::kMuted
-                                : draw::verdict_tone(tail.summary.verdict);
-    draw::wrapped_text(context.theme.colour(tone), text);
+    draw::wrapped_text(context.theme.colour(draw::verdict_tone(tail.summary.verdict)), text);
   }
   explain(kVerdictMeaning);
 }

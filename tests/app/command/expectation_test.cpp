@@ -82,6 +82,7 @@ TEST(SummaryFields, KeysAndOrderAreThePromisedOnes) {
   EXPECT_EQ(keys,
             "scene algorithm verdict duration_s ticks simulated_seconds_per_second ns_per_tick "
             "tail_peak_to_peak_m tail_force_mean_n tail_force_std_n displayed_stiffness_n_per_m "
+            "chatter_n swing_m shake_m_per_s2 given_j given_w "
             "max_penetration_m peak_force_n saturated_ticks contacts energy_cv_j energy_hold_j "
             "energy_scv_j energy_budget_j min_energy_cv_j min_energy_scv_j true_actuator_work_j "
             "true_dissipation_j true_hand_work_j kinetic_j energy_balance_error_j "

@@ -193,7 +193,7 @@ TEST(Accuracy, AReferenceAtRestHasNoAmplitudeToBeOffFrom) {
   Scene scene = short_chatter();
   scene.x().hand.reset();
   const AccuracyStudy study = measure_accuracy(scene, stepping({1}));
-  EXPECT_EQ(study.reference.verdict, Verdict::kSettled);
+  EXPECT_EQ(study.reference.verdict, Verdict::kNoContact);
   for (const AccuracyRow& row : study.rows) {
     EXPECT_TRUE(row.verdict_agrees);
     EXPECT_EQ(row.max_position_error_m, 0.0);

@@ -117,9 +117,9 @@ TEST(ContactStudy, OfAWallThatIsNeverTouchedIsEmpty) {
   Scene scene = steady_entry(1000.0);
   scene.x().walls[0].position_m = 0.2;
   const ContactMetrics figures = figures_of(scene, "none");
-  EXPECT_EQ(figures.summary.verdict, Verdict::kSettled);
+  EXPECT_EQ(figures.summary.verdict, Verdict::kNoContact);
   EXPECT_FALSE(figures.limits.failed.first);
-  EXPECT_FALSE(figures.stiffest()->displayed_stiffness_n_per_m);
+  EXPECT_FALSE(figures.stiffest());
   EXPECT_FALSE(figures.approach_speed_m_per_s);
   EXPECT_FALSE(figures.rate_hardness_n_per_m);
   EXPECT_FALSE(figures.rise_time_s);
