@@ -20,6 +20,8 @@ struct BackwardDifference {
     return displacement_m * rate_hz_;
   }
 
+  static VelocityTransfer transfer(const EstimatorContext& /*context*/) { return {}; }
+
  private:
   double rate_hz_ = 0.0;
 };

@@ -12,9 +12,16 @@
 //     double velocity(double position_m, double displacement_m);
 //   };
 //
-// All three are realtime-safe: O(1), no allocation, no lock, no system call.
+// All three are realtime-safe: bounded time, no allocation, no lock, no system call. Optional, for
+// set-up and display:
+//
+//     // Of a linear estimator: the limits of stability read it.
+//     static VelocityTransfer transfer(const EstimatorContext& context);
+//     // Numbers that follow from the parameters, for people.
+//     static DerivedNumbers numbers(const EstimatorContext& context);
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <new>
 #include <optional>
@@ -22,6 +29,7 @@
 #include <string_view>
 #include <type_traits>
 
+#include "core/estimator/velocity_transfer.h"
 #include "core/estimator_settings.h"
 
 namespace hapticwall {
@@ -47,8 +55,15 @@ struct EstimatorDescription {
   std::string_view equation;  // for people: the velocity in one to three lines
 };
 
+struct DerivedNumber {
+  std::string_view name;  // "": none
+  double value = 0.0;
+  std::string_view unit;
+};
+using DerivedNumbers = std::array<DerivedNumber, 2>;
+
 // Room for the state in place, so that a change of estimator allocates nothing.
-inline constexpr std::size_t kMaxEstimatorBytes = 256;
+inline constexpr std::size_t kMaxEstimatorBytes = 512;
 
 // The functions of an estimator on a block of kMaxEstimatorBytes, aligned for any type.
 struct Estimator {
@@ -57,6 +72,8 @@ struct Estimator {
   void (*configure)(void* state, const EstimatorContext& context);
   void (*reset)(void* state);
   double (*velocity)(void* state, double position_m, double displacement_m);
+  VelocityTransfer (*transfer)(const EstimatorContext& context) = nullptr;  // nullptr: nonlinear
+  DerivedNumbers (*numbers)(const EstimatorContext& context) = nullptr;     // nullptr: none
 };
 
 // The functions of a struct. It is trivially copyable, because the next estimator starts in the
@@ -66,14 +83,19 @@ template <class Struct>
   static_assert(sizeof(Struct) <= kMaxEstimatorBytes);
   static_assert(alignof(Struct) <= alignof(std::max_align_t));
   static_assert(std::is_trivially_copyable_v<Struct> && std::is_trivially_destructible_v<Struct>);
-  return {Struct::kDescription, [](void* state) { new (state) Struct{}; },
-          [](void* state, const EstimatorContext& context) {
-            static_cast<Struct*>(state)->configure(context);
-          },
-          [](void* state) { static_cast<Struct*>(state)->reset(); },
-          [](void* state, double position_m, double displacement_m) {
-            return static_cast<Struct*>(state)->velocity(position_m, displacement_m);
-          }};
+  Estimator estimator{Struct::kDescription, [](void* state) { new (state) Struct{}; },
+                      [](void* state, const EstimatorContext& context) {
+                        static_cast<Struct*>(state)->configure(context);
+                      },
+                      [](void* state) { static_cast<Struct*>(state)->reset(); },
+                      [](void* state, double position_m, double displacement_m) {
+                        return static_cast<Struct*>(state)->velocity(position_m, displacement_m);
+                      }};
+  if constexpr (requires(const EstimatorContext& context) { Struct::transfer(context); })
+    estimator.transfer = &Struct::transfer;
+  if constexpr (requires(const EstimatorContext& context) { Struct::numbers(context); })
+    estimator.numbers = &Struct::numbers;
+  return estimator;
 }
 
 // The closed list; the first one is the backward difference. Realtime-safe: yes, all.
@@ -84,5 +106,7 @@ template <class Struct>
 [[nodiscard]] std::span<const ParameterDescription> estimator_parameters();
 // nullptr for the backward difference, which the tick computes without a call.
 [[nodiscard]] const Estimator* chosen_estimator(const EstimatorSettings& settings);
+// Of the estimator that `context.settings` names; nullopt if it is not linear.
+[[nodiscard]] std::optional<VelocityTransfer> velocity_transfer(const EstimatorContext& context);
 
 }  // namespace hapticwall

@@ -5,6 +5,11 @@
 
 #include "core/estimator/backward_difference.h"
 #include "core/estimator/estimator.h"
+#include "core/estimator/foaw.h"
+#include "core/estimator/kalman.h"
+#include "core/estimator/least_squares.h"
+#include "core/estimator/levant.h"
+#include "core/estimator/low_pass.h"
 
 namespace hapticwall {
 namespace {
@@ -12,6 +17,11 @@ namespace {
 // Tables list them in this order. The first one is the default.
 constexpr std::array kEstimators{
     estimator_of<BackwardDifference>(),
+    estimator_of<LowPass>(),
+    estimator_of<LeastSquares>(),
+    estimator_of<Foaw>(),
+    estimator_of<Levant>(),
+    estimator_of<Kalman>(),
 };
 
 constexpr auto unite_parameters() {
@@ -40,6 +50,12 @@ std::optional<std::size_t> find_estimator(std::string_view name) {
 const Estimator* chosen_estimator(const EstimatorSettings& settings) {
   if (settings.index == 0 || settings.index >= kEstimators.size()) return nullptr;
   return &kEstimators[settings.index];
+}
+
+std::optional<VelocityTransfer> velocity_transfer(const EstimatorContext& context) {
+  const std::size_t index = context.settings == nullptr ? 0 : context.settings->index;
+  if (index >= kEstimators.size() || kEstimators[index].transfer == nullptr) return std::nullopt;
+  return kEstimators[index].transfer(context);
 }
 
 std::optional<double> EstimatorContext::value(std::string_view key) const {

@@ -4,10 +4,13 @@
 #include <cmath>
 #include <set>
 #include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/estimator/active_estimator.h"
 #include "core/scene.h"
+#include "core/scene_keys.h"
 #include "core/tick/servo_step.h"
 
 namespace hapticwall {
@@ -48,17 +51,76 @@ TEST(EstimatorList, ASceneTakesNoIndexOutsideIt) {
   EXPECT_EQ(problem->key, "estimator.name");
 }
 
+// Takes the mean of the second half, because a sliding mode swings about the velocity. Its
+// positions stay for a tick, which costs up to λ0 T/2 = 0.0055 m/s.
 TEST(EstimatorList, EveryEstimatorFollowsAConstantVelocity) {
+  constexpr int kTicks = 2000;
   for (std::size_t i = 0; i < estimators().size(); ++i) {
     for (const double velocity_m_per_s : {0.0, 0.1, -0.1}) {
       ActiveEstimator estimator;
       estimator.configure(chosen(i), {});
-      double estimate_m_per_s = estimator.velocity(0.0, 0.0);
-      for (int tick = 1; tick <= 2000; ++tick) {
+      (void)estimator.velocity(0.0, 0.0);
+      double sum_m_per_s = 0.0;
+      for (int tick = 1; tick <= kTicks; ++tick) {
         const double displacement_m = velocity_m_per_s * 1e-3;
-        estimate_m_per_s = estimator.velocity(tick * displacement_m, displacement_m);
+        const double now_m_per_s = estimator.velocity(tick * displacement_m, displacement_m);
+        if (tick > kTicks / 2) sum_m_per_s += now_m_per_s;
       }
-      EXPECT_NEAR(estimate_m_per_s, velocity_m_per_s, 1e-3) << estimators()[i].description.name;
+      const double error_m_per_s = estimators()[i].transfer != nullptr ? 1e-9 : 0.0055;
+      EXPECT_NEAR(sum_m_per_s / (kTicks / 2), velocity_m_per_s, error_m_per_s)
+          << estimators()[i].description.name;
+    }
+  }
+}
+
+// The limits of stability take the transfer function in the place of the estimator.
+TEST(EstimatorList, TheTransferFunctionIsThatOfTheEstimator) {
+  std::size_t linear = 0;
+  for (std::size_t i = 0; i < estimators().size(); ++i) {
+    EstimatorSettings settings;
+    settings.index = i;
+    const EstimatorContext context{2000.0, 0.0, &settings};
+    const auto transfer = velocity_transfer(context);
+    ASSERT_EQ(transfer.has_value(), estimators()[i].transfer != nullptr);
+    if (!transfer) continue;
+    ++linear;
+    ActiveEstimator estimator;
+    estimator.configure(chosen(i), context);
+    std::vector<double> response;  // to a displacement of one metre, by division of the series
+    double sum = 0.0;
+    double moment = 0.0;
+    for (std::size_t k = 0; k < 400; ++k) {
+      double value = k < transfer->numerator_count ? transfer->numerator.at(k) : 0.0;
+      for (std::size_t j = 1; j < transfer->denominator_count && j <= k; ++j)
+        value -= transfer->denominator.at(j) * response[k - j];
+      response.push_back(value);
+      sum += value;
+      moment += static_cast<double>(k) * value;
+      EXPECT_NEAR(estimator.velocity(0.0, k == 0 ? 1.0 : 0.0), 2000.0 * value, 1e-9)
+          << estimators()[i].description.name << ", tick " << k;
+    }
+    EXPECT_NEAR(sum, 1.0, 1e-9) << estimators()[i].description.name;
+    EXPECT_NEAR(transfer->delay_ticks(), 0.5 + moment, 1e-9) << estimators()[i].description.name;
+  }
+  EXPECT_GE(linear, 4U);
+}
+
+TEST(EstimatorList, ASceneTakesEveryKeyWithinItsRangeOnly) {
+  for (const ParameterDescription& parameter : estimator_parameters()) {
+    Scene scene;
+    const std::string path = "estimator." + std::string(parameter.key);
+    const auto number = find_scene_number(scene, path);
+    ASSERT_TRUE(number) << path;
+    for (const double value : {parameter.minimum, parameter.maximum}) {
+      number->set(scene, value);
+      EXPECT_FALSE(validate(scene)) << path << " = " << value;
+    }
+    for (const double value :
+         {parameter.minimum * 0.99, parameter.maximum * 1.01, std::nan(""), HUGE_VAL}) {
+      number->set(scene, value);
+      const auto problem = validate(scene);
+      ASSERT_TRUE(problem) << path << " = " << value;
+      EXPECT_EQ(problem->key, path);
     }
   }
 }
