@@ -8,19 +8,33 @@
 #include "core/study/stable_stiffness.h"
 
 namespace hapticwall {
+namespace {
+
+EstimatorContext estimator_context(const Scene& scene) {
+  return {scene.sampling.rate_hz, scene.x().device.encoder_m.value_or(0.0), &scene.estimator};
+}
+
+}  // namespace
 
 StabilityBounds stability_bounds(const Scene& scene, const WallSettings& wall,
                                  const LoopDelay& delay) {
   const DeviceSettings& device = scene.x().device;
   const double half_period_s = 0.5 * scene.sampling.period_s();
   const double damping = device.damping_n_s_per_m;
+  const double wall_damping = wall.damping_n_s_per_m;
+  const auto velocity = velocity_transfer(estimator_context(scene));
+  const bool difference = velocity && velocity->is_difference();
   StabilityBounds bounds;
-  bounds.passive_n_per_m = std::max(0.0, damping - wall.damping_n_s_per_m) / half_period_s;
-  SampledLoop loop{plant_parameters(scene), scene.sampling.period_s(), delay.transport_s,
-                   wall.damping_n_s_per_m};
-  loop.plant.time_constant_s = delay.time_constant_s;
-  bounds.stable_n_per_m = largest_stable_stiffness(loop);
-  bounds.rule_n_per_m = (damping + wall.damping_n_s_per_m) / (half_period_s + delay.total_s());
+  if (difference || wall_damping == 0.0)
+    bounds.passive_n_per_m = std::max(0.0, damping - wall_damping) / half_period_s;
+  if (velocity) {
+    SampledLoop loop{plant_parameters(scene), scene.sampling.period_s(), delay.transport_s,
+                     wall_damping, *velocity};
+    loop.plant.time_constant_s = delay.time_constant_s;
+    bounds.stable_n_per_m = largest_stable_stiffness(loop);
+  }
+  if (difference)
+    bounds.rule_n_per_m = (damping + wall_damping) / (half_period_s + delay.total_s());
   const double encoder_m = device.encoder_m.value_or(0.0);
   if (encoder_m > 0.0) {
     if (device.friction_n) bounds.friction_n_per_m = 2.0 * *device.friction_n / encoder_m;
@@ -37,8 +51,7 @@ std::optional<double> exact_stable_limit(const Scene& scene) {
                       device.encoder_m.value_or(0.0) == 0.0 &&
                       device.force_resolution_n.value_or(0.0) == 0.0;
   const bool exact = scene.simulator.integrator == Integrator::kExact;
-  const bool difference = chosen_estimator(scene.estimator) == nullptr;
-  if (scene.x().walls.size() != 1 || !bare || !linear || !exact || !difference) return std::nullopt;
+  if (scene.x().walls.size() != 1 || !bare || !linear || !exact) return std::nullopt;
   return stability_bounds(scene, scene.x().walls.front(), delay_of(scene)).stable_n_per_m;
 }
 

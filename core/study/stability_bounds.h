@@ -8,15 +8,18 @@
 
 namespace hapticwall {
 
-// Largest stiffnesses; nullopt if no part of the scene limits them.
+// Largest stiffnesses; nullopt if no part of the scene limits them, or if the theory does not know
+// the scene's estimator of velocity.
 struct StabilityBounds {
-  // Passive for any hand: b >= K T / 2 + B (Colgate and Schenkel). 0 if B >= b.
+  // Passive for any hand: b >= K T / 2 + B (Colgate and Schenkel). 0 if B >= b. With a damper only
+  // under the backward difference.
   std::optional<double> passive_n_per_m;
-  // All softer walls are stable with the scene's hand, delay and amplifier:
+  // All softer walls are stable with the scene's hand, delay, amplifier and linear estimator:
   // largest_stable_stiffness(). 0: the softest walls are not.
   std::optional<double> stable_n_per_m;
   // The rule of thumb for the same, for a hand that only adds mass: K < (b + B) / (T / 2 + t_d)
-  // (Gil; Hulin). Too high by at most 16 % up to kMaxRuleDamping and two ticks of delay.
+  // (Gil; Hulin), under the backward difference. Too high by at most 16 % up to kMaxRuleDamping and
+  // two ticks of delay.
   std::optional<double> rule_n_per_m;
   // Limit with an encoder and Coulomb friction: K <= 2 f_c / Delta (Abbott and Okamura 2005).
   std::optional<double> friction_n_per_m;
@@ -42,10 +45,9 @@ struct LoopDelay {
                                                const LoopDelay& delay);
 
 // The stable limit of the loop that the scene simulates, on axis x. nullopt if the loop is not the
-// linear one of the limit: with several walls, another algorithm than "none", a follower, another
-// estimator than the backward difference, friction, an encoder, a force resolution or another
-// integrator than the exact one. The limits of the force and of its rate act on large swings only.
-// Realtime-safe: no.
+// linear one of the limit: with several walls, another algorithm than "none", a follower, a
+// nonlinear estimator, friction, an encoder, a force resolution or another integrator than the
+// exact one. The limits of the force and of its rate act on large swings only. Realtime-safe: no.
 [[nodiscard]] std::optional<double> exact_stable_limit(const Scene& scene);
 
 // Delay of a simulated device: the whole ticks and the time constant of axis x. Realtime-safe: yes.

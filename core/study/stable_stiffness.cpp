@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 #include <optional>
+#include <span>
 
 #include "core/study/pulse_transfer.h"
 
@@ -118,24 +119,67 @@ Enclosure polynomial(const std::array<double, kSize>& coefficients, std::size_t 
           first + 3.0 * second + third};
 }
 
-// The parts of the characteristic equation z^d D + (K + B (1 - 1/z)) N = 0 at z = e^{iθ}.
+// The parts of the characteristic equation z^d D Q + (K Q + B (1 - 1/z) P) N = 0 at z = e^{iθ}. The
+// estimator of velocity has the transfer function (1 - 1/z) P/(Q T); it is stable, so that the
+// factor Q brings no zero outside.
 struct CirclePart {
-  Enclosure delayed;     // z^d D
-  Enclosure numerator;   // N
-  Enclosure difference;  // 1 - 1/z
+  Enclosure delayed;                 // z^d D Q
+  Enclosure numerator;               // N
+  Enclosure difference;              // (1 - 1/z) P
+  std::optional<Enclosure> divisor;  // Q; nullopt: 1
 
-  // The K that the equation gives, times |N|²; on the limit of stability it is real.
+  // N Q
+  [[nodiscard]] Enclosure spring() const { return divisor ? numerator * *divisor : numerator; }
+  // The K that the equation gives, times |N Q|²; on the limit of stability it is real.
   [[nodiscard]] Enclosure stiffness(double damping) const {
-    const Enclosure conjugate = numerator.conjugate();
-    return -1.0 * (delayed + damping * (numerator * difference)) * conjugate;
+    return -1.0 * (delayed + damping * (numerator * difference)) * spring().conjugate();
   }
   // The left side of the equation.
   [[nodiscard]] Enclosure characteristic(double stiffness, double damping) const {
-    return delayed + (stiffness + damping * difference) * numerator;
+    const Enclosure damper = damping * difference;
+    const Enclosure wall = divisor ? stiffness * *divisor + damper : stiffness + damper;
+    return delayed + wall * numerator;
   }
 };
 
-CirclePart on_piece(const PulseTransfer& plant, const Piece& piece) {
+// c_0 + c_1/z + …, with `back` = 1/z in the middle of the piece.
+Enclosure delays(std::span<const double> coefficients, Complex back, double half) {
+  Complex value;
+  Complex slope;
+  Complex bend;
+  double third = 0.0;
+  Complex turned = 1.0;
+  for (std::size_t i = 0; i < coefficients.size(); ++i) {
+    const auto turns = static_cast<double>(i);
+    const Complex term = coefficients[i] * turned;
+    value += term;
+    slope -= Complex(0.0, turns) * term;
+    bend -= turns * turns * term;
+    third += turns * turns * turns * std::abs(coefficients[i]);
+    turned *= back;
+  }
+  return {half, value, slope, bend, third};
+}
+
+// A tick's loop without the wall: the plant, and the estimator of velocity.
+struct OpenLoop {
+  PulseTransfer plant;
+  VelocityTransfer velocity;
+};
+
+void take_estimator(const VelocityTransfer& velocity, Complex back, double half, CirclePart& part) {
+  if (velocity.is_difference()) return;
+  part.difference =
+      part.difference *
+      delays(std::span(velocity.numerator).first(velocity.numerator_count), back, half);
+  if (velocity.denominator_count == 1) return;
+  part.divisor =
+      delays(std::span(velocity.denominator).first(velocity.denominator_count), back, half);
+  part.delayed = part.delayed * *part.divisor;
+}
+
+CirclePart on_piece(const OpenLoop& loop, const Piece& piece) {
+  const PulseTransfer& plant = loop.plant;
   const double angle = piece.middle();
   const double half = piece.half();
   const double sine = std::sin(0.5 * angle);
@@ -152,7 +196,9 @@ CirclePart on_piece(const PulseTransfer& plant, const Piece& piece) {
   }
   const Complex turn = to_earlier.value();
   const Enclosure difference(half, -std::conj(w), Complex(0.0, 1.0) * turn, turn, 1.0);
-  return {delayed, numerator, difference};
+  CirclePart part{delayed, numerator, difference, std::nullopt};
+  take_estimator(loop.velocity, turn, half, part);
+  return part;
 }
 
 // Calls `take` for the upper half of the circle from small angles to large ones, and halves the
@@ -177,31 +223,31 @@ void visit_pieces(const Take& take) {
 
 struct CurvePoint {
   Complex value;
-  double numerator_squared = 0.0;
+  double spring_squared = 0.0;  // |N Q|²
 
-  [[nodiscard]] double stiffness() const { return value.real() / numerator_squared; }
+  [[nodiscard]] double stiffness() const { return value.real() / spring_squared; }
 };
 
-CurvePoint point_at(const PulseTransfer& plant, double damping, double angle) {
-  const CirclePart part = on_piece(plant, {angle, angle});
-  return {part.stiffness(damping).value(), std::norm(part.numerator.value())};
+CurvePoint point_at(const OpenLoop& loop, double damping, double angle) {
+  const CirclePart part = on_piece(loop, {angle, angle});
+  return {part.stiffness(damping).value(), std::norm(part.spring().value())};
 }
 
 // Stiffness at the crossing of the real axis, on a piece with at most one crossing; regula falsi
 // (Illinois). nullopt: no crossing.
-std::optional<double> stiffness_at_crossing(const PulseTransfer& plant, double damping,
+std::optional<double> stiffness_at_crossing(const OpenLoop& loop, double damping,
                                             const Piece& piece) {
   constexpr int kMaxSteps = 60;
   double a = piece.from;
   double b = piece.to;
-  double at_a = point_at(plant, damping, a).value.imag();
-  CurvePoint found = point_at(plant, damping, b);
+  double at_a = point_at(loop, damping, a).value.imag();
+  CurvePoint found = point_at(loop, damping, b);
   double at_b = found.value.imag();
   if ((at_a < 0.0) == (at_b < 0.0)) return std::nullopt;
   for (int i = 0; i < kMaxSteps && at_b != 0.0; ++i) {
     const double angle = b - at_b * (b - a) / (at_b - at_a);
     if (angle == a || angle == b) break;
-    found = point_at(plant, damping, angle);
+    found = point_at(loop, damping, angle);
     const double here = found.value.imag();
     if ((here < 0.0) != (at_b < 0.0)) {
       a = b;
@@ -216,27 +262,27 @@ std::optional<double> stiffness_at_crossing(const PulseTransfer& plant, double d
 }
 
 // The smallest positive K for which a zero lies on the circle.
-double first_crossing(const PulseTransfer& plant, double damping) {
+double first_crossing(const OpenLoop& loop, double damping) {
   double smallest = std::numeric_limits<double>::infinity();
   const auto take = [&](double stiffness) {
     if (stiffness > 0.0) smallest = std::min(smallest, stiffness);
   };
   visit_pieces([&](const Piece& piece, bool deepest) {
-    const CirclePart part = on_piece(plant, piece);
+    const CirclePart part = on_piece(loop, piece);
     const Enclosure curve = part.stiffness(damping);
     if (!(std::abs(curve.value().imag()) <= curve.reach_im())) return true;  // or NaN
     if (curve.value().real() + curve.reach_re() <= 0.0) return true;
     if (!curve.im_is_monotonic() && !deepest) return false;
-    if (const auto found = stiffness_at_crossing(plant, damping, piece)) take(*found);
+    if (const auto found = stiffness_at_crossing(loop, damping, piece)) take(*found);
     return true;
   });
-  take(point_at(plant, damping, std::numbers::pi).stiffness());  // z = -1, where K is always real
+  take(point_at(loop, damping, std::numbers::pi).stiffness());  // z = -1, where K is always real
   return smallest;
 }
 
 // Stability by the argument principle: the left side of the equation turns by π for each zero
 // within.
-bool is_stable(const PulseTransfer& plant, double stiffness, double damping) {
+bool is_stable(const OpenLoop& loop, double stiffness, double damping) {
   constexpr double kPi = std::numbers::pi;
   constexpr double kNear = 0.7;  // two neighbours differ by less than a right angle
   double angle = 0.0;
@@ -246,29 +292,29 @@ bool is_stable(const PulseTransfer& plant, double stiffness, double damping) {
     last = value;
   };
   visit_pieces([&](const Piece& piece, bool deepest) {
-    const Enclosure left = on_piece(plant, piece).characteristic(stiffness, damping);
+    const Enclosure left = on_piece(loop, piece).characteristic(stiffness, damping);
     if (left.reach() > kNear * magnitude(left.value()) && !deepest) return false;
     turn_to(left.value());
     return true;
   });
-  turn_to(on_piece(plant, {kPi, kPi}).characteristic(stiffness, damping).value());
+  turn_to(on_piece(loop, {kPi, kPi}).characteristic(stiffness, damping).value());
   // A zero on the circle that the wall does not move, such as the place where a hand without a
   // spring holds the handle, costs half a turn; one outside costs a whole turn.
-  const double whole = kPi * (static_cast<double>(plant.states) + plant.delay_ticks);
+  const double whole = kPi * (static_cast<double>(loop.plant.states) + loop.plant.delay_ticks);
   return angle > whole - 0.75 * kPi;
 }
 
 }  // namespace
 
-double largest_stable_stiffness(const SampledLoop& loop) {
-  const PulseTransfer plant = pulse_transfer(loop);
-  const double mass_kg = loop.plant.mass_kg;
-  const double damping = loop.wall_damping_n_s_per_m * loop.period_s / mass_kg;
-  const double stiffness = first_crossing(plant, damping);
+double largest_stable_stiffness(const SampledLoop& sampled) {
+  const OpenLoop loop{pulse_transfer(sampled), sampled.velocity};
+  const double mass_kg = sampled.plant.mass_kg;
+  const double damping = sampled.wall_damping_n_s_per_m * sampled.period_s / mass_kg;
+  const double stiffness = first_crossing(loop, damping);
   constexpr double kNoStiffness = 1e-20;  // the limit of a loop without any damping is 0
   // Between zero and the first crossing no zero passes the circle.
-  if (stiffness < kNoStiffness || !is_stable(plant, 0.5 * stiffness, damping)) return 0.0;
-  return stiffness * mass_kg / (loop.period_s * loop.period_s);
+  if (stiffness < kNoStiffness || !is_stable(loop, 0.5 * stiffness, damping)) return 0.0;
+  return stiffness * mass_kg / (sampled.period_s * sampled.period_s);
 }
 
 }  // namespace hapticwall

@@ -94,18 +94,25 @@ std::string stable_text(const PanelContext& context, const WallSettings& wall,
   if (!delay) {
     return "Stable below it, in N/m. It depends on the delay of the device, and that is unknown.";
   }
+  if (!bounds.stable_n_per_m) {
+    return "Stable below it, in N/m. The estimator of velocity (Loop) is not linear, so that the "
+           "limit depends on the motion.";
+  }
   const bool simulated = context.session.device_info().is_simulated;
   const Scene scene = shown_scene(context);
-  return fmt::format(
+  const std::string stable = fmt::format(
       "Stable below it, in N/m, by the eigenvalues of the sampled loop of handle, {}hold, wall and "
       "t_d = {:.0f} µs {}; without friction, encoder and force limit. 0: the softest walls are "
-      "unstable, because B is too large or nothing damps.\n\nThe rule K < (b + B) / (T/2 + t_d) "
-      "gives {:.0f} N/m. It is for B T/m below {:g}, here {:.2g}, and for a hand that only adds "
-      "mass.",
+      "unstable, because B is too large or nothing damps.",
       simulated && scene.x().hand ? "hand, " : "", delay->total_s() * kMicrosecondsPerSecond,
-      simulated ? "as simulated" : "as measured", bounds.rule_n_per_m.value_or(0.0),
-      kMaxRuleDamping,
-      wall.damping_n_s_per_m * scene.sampling.period_s() / scene.x().device.mass_kg);
+      simulated ? "as simulated" : "as measured");
+  if (!bounds.rule_n_per_m) return stable;
+  return stable +
+         fmt::format(
+             "\n\nThe rule K < (b + B) / (T/2 + t_d) gives {:.0f} N/m. It is for B T/m below {:g}, "
+             "here {:.2g}, and for a hand that only adds mass.",
+             *bounds.rule_n_per_m, kMaxRuleDamping,
+             wall.damping_n_s_per_m * scene.sampling.period_s() / scene.x().device.mass_kg);
 }
 
 void draw_bounds(const PanelContext& context, const WallSettings& wall) {
@@ -113,9 +120,10 @@ void draw_bounds(const PanelContext& context, const WallSettings& wall) {
   const double stiffness = wall.stiffness_n_per_m;
   draw_bound(context, "bound, passive", bounds.passive_n_per_m, stiffness,
              "K < 2 (b - B) / T, in N/m (Eq. 18): creates no energy for any motion, except through "
-             "the encoder.");
+             "the encoder. With a damper it is known for the backward difference only.",
+             "unknown");
   draw_bound(context, "bound, stable", bounds.stable_n_per_m, stiffness,
-             stable_text(context, wall, bounds), shown_delay(context) ? "none" : "unknown");
+             stable_text(context, wall, bounds), "unknown");
   draw_bound(context, "bound, friction", bounds.friction_n_per_m, stiffness,
              "K < 2 f_c / Δ, in N/m: friction can hold the handle between two counts.");
   draw_bound(context, "bound, resolution", bounds.resolution_n_per_m, stiffness,
