@@ -8,6 +8,7 @@
 
 #include "app/file/scene/scene_file.h"
 #include "core/algorithm/algorithm.h"
+#include "core/estimator/estimator.h"
 #include "tests/window/rows.h"
 
 namespace hapticwall::test {
@@ -147,6 +148,56 @@ void type_substeps(Person& person) {
   EXPECT_EQ(person.scene().simulator.substeps, 1);
 }
 
+void choose_estimator(Person& person, std::size_t index) {
+  person.click("estimator");
+  person.click(std::string(estimators()[index].description.name));
+  EXPECT_EQ(person.scene().estimator.index, index);
+}
+
+std::optional<double> estimator_value(Person& person, std::string_view key) {
+  const auto all = estimator_parameters();
+  const auto found = std::ranges::find(all, key, &ParameterDescription::key);
+  return person.scene().estimator.values.at(static_cast<std::size_t>(found - all.begin()));
+}
+
+void type_estimator_parameter(Person& person, const ParameterDescription& description) {
+  const std::string item = "estimator." + std::string(description.key);
+  EXPECT_TRUE(person.has_tooltip(item));
+  const double value = 2.0 * description.minimum;
+  person.type(item, fmt::format("{}", value));
+  EXPECT_EQ(estimator_value(person, description.key), value);
+  person.type(item, fmt::format("{}", 2.0 * description.maximum));
+  EXPECT_EQ(estimator_value(person, description.key), value) << "it is out of range";
+  EXPECT_TRUE(person.state().edit.refusal);
+  person.put_everything_away();
+  person.type(item, "");
+  EXPECT_EQ(estimator_value(person, description.key), std::nullopt);
+}
+
+// Ends with the default.
+void use_estimators(Person& person) {
+  for (std::size_t i = 1; i <= estimators().size(); ++i) {
+    const std::size_t index = i % estimators().size();
+    choose_estimator(person, index);
+    for (const ParameterDescription& parameter : estimators()[index].description.parameters) {
+      SCOPED_TRACE(std::string(parameter.key));
+      type_estimator_parameter(person, parameter);
+    }
+  }
+}
+
+// The numbers that an estimator shows.
+void add_estimator_numbers(Table& table) {
+  const EstimatorSettings settings;
+  for (std::size_t i = 0; i < estimators().size(); ++i) {
+    if (estimators()[i].numbers == nullptr) continue;
+    for (const DerivedNumber& number : estimators()[i].numbers({1000.0, 0.0, &settings})) {
+      table.push_back(
+          shown(std::string(number.name), [i](Person& person) { choose_estimator(person, i); }));
+    }
+  }
+}
+
 void change_rate(Person& person) {
   person.type("rate", "500");
   person.wait_until([&] { return person.scene().sampling.rate_hz == 500.0; }, "the rate");
@@ -188,11 +239,12 @@ Table wall_rows(const std::string& scene_of_two_walls) {
 }
 
 Table loop_rows() {
-  return {{"rate", change_rate},
-          {"integrator", choose_integrators},
-          {"substeps", type_substeps},
-          shown("cost of a tick"),
-          shown("energy error")};
+  Table table{{"rate", change_rate},       {"integrator", choose_integrators},
+              {"substeps", type_substeps}, shown("delay of velocity"),
+              shown("cost of a tick"),     shown("energy error")};
+  add_estimator_numbers(table);
+  table.push_back({"estimator", use_estimators});
+  return table;
 }
 
 }  // namespace hapticwall::test

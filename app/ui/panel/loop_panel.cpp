@@ -9,9 +9,12 @@
 
 #include "app/ui/state/changes.h"
 #include "app/ui/state/scene_state.h"
+#include "app/ui/widget/described_field.h"
 #include "app/ui/widget/parameter_rows.h"
+#include "app/ui/widget/shown_axis.h"
 #include "app/ui/widget/sliders.h"
 #include "app/ui/widget/widgets.h"
+#include "core/estimator/estimator.h"
 #include "core/summary.h"
 #include "core/units.h"
 
@@ -19,6 +22,7 @@ namespace hapticwall::ui {
 namespace {
 
 constexpr const char* kSubstepsKey = "simulator.substeps";
+constexpr const char* kEstimatorKey = "estimator.name";
 
 void draw_rate(const PanelContext& context) {
   const Scene& scene = context.session.scene();
@@ -75,6 +79,66 @@ void draw_substeps(const PanelContext& context) {
   draw_refusal(context, kSubstepsKey);
 }
 
+void draw_estimator_choice(const PanelContext& context) {
+  const std::size_t chosen = context.session.scene().estimator.index;
+  ImGui::SetNextItemWidth(-1.0F);
+  const std::string shown(estimators()[chosen].description.name);
+  if (ImGui::BeginCombo("##estimator", shown.c_str())) {
+    for (std::size_t i = 0; i < estimators().size(); ++i) {
+      const EstimatorDescription& one = estimators()[i].description;
+      const std::string tooltip = fmt::format("{}\n{}\n\n{}", one.title, one.idea, one.equation);
+      if (list_choice(std::string(one.name), i == chosen, tooltip) && i != chosen) {
+        change_parameters(context, kEstimatorKey, [&](Scene& scene) { scene.estimator.index = i; });
+      }
+    }
+    ImGui::EndCombo();
+  }
+  explain(
+      "Velocity from the measured positions, for the dampers of walls and for the algorithms that "
+      "take a velocity. Changes during the session.");
+  draw_refusal(context, kEstimatorKey);
+}
+
+void draw_estimator_parameters(const PanelContext& context) {
+  const EstimatorSettings& settings = context.session.scene().estimator;
+  const auto all = estimator_parameters();
+  for (const ParameterDescription& parameter :
+       estimators()[settings.index].description.parameters) {
+    const auto found = std::ranges::find(all, parameter.key, &ParameterDescription::key);
+    const auto index = static_cast<std::size_t>(found - all.begin());
+    const std::string key = fmt::format("estimator.{}", parameter.key);
+    draw_described_field(
+        context, {key, parameter, settings.values.at(index)}, [&](std::optional<double> value) {
+          change_parameters(context, key,
+                            [&](Scene& scene) { scene.estimator.values.at(index) = value; });
+        });
+  }
+}
+
+// Numbers that follow from the parameters, and the delay of a linear estimator.
+void draw_estimator_numbers(const PanelContext& context) {
+  const Scene& scene = context.session.scene();
+  const Estimator& estimator = estimators()[scene.estimator.index];
+  const EstimatorContext settings{scene.sampling.rate_hz,
+                                  shown_device(context).encoder_m.value_or(0.0), &scene.estimator};
+  if (estimator.numbers != nullptr) {
+    for (const DerivedNumber& number : estimator.numbers(settings)) {
+      if (number.name.empty()) continue;
+      figure_row(context, number.name, fmt::format("{:.6g} {}", number.value, number.unit),
+                 draw::Tone::kText, "Follows from the parameters of the estimator.");
+    }
+  }
+  const auto transfer = velocity_transfer(settings);
+  figure_row(context, "delay of velocity",
+             transfer
+                 ? fmt::format("{:.2f} ms", transfer->delay_ticks() * scene.sampling.period_s() *
+                                                kMillisecondsPerSecond)
+                 : "by the motion",
+             draw::Tone::kText,
+             "Age of the velocity in a slow motion. The backward difference has half a tick. A "
+             "nonlinear estimator has another delay in each motion.");
+}
+
 void draw_cost(const PanelContext& context) {
   const session::TimingStatistics& timing = context.snapshot.timing;
   const bool too_slow = timing.median_cost_s > context.session.scene().sampling.period_s();
@@ -109,13 +173,17 @@ double energy_error_j(const PlantTruth& truth) {
 }
 
 void draw_loop_section(const PanelContext& context) {
-  section(context, "Loop", asked_for(context).simulator);
+  const AskedFor asked = asked_for(context);
+  section(context, "Loop", asked.simulator || asked.estimator);
   draw_rate(context);
   const bool simulated = context.session.device_info().is_simulated;
   if (simulated) {
     draw_integrator(context);
     draw_substeps(context);
   }
+  draw_estimator_choice(context);
+  draw_estimator_parameters(context);
+  draw_estimator_numbers(context);
   draw_cost(context);
   if (simulated) draw_balance(context);
 }

@@ -1,4 +1,4 @@
-// Rate and integrator, with their cost and their error.
+// Rate, integrator and estimator of velocity, with their cost, error and delay.
 #pragma once
 
 #include <string>
