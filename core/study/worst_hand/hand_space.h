@@ -1,0 +1,55 @@
+// The hands that the search tries: their numbers, the bounds of each, and a hand in a scene.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/scene.h"
+#include "core/scene_keys.h"
+
+namespace hapticwall::worst_hand {
+
+// Our guess around the built-in scenes, no measurement of people. A winner often sits at a bound,
+// so a result names its bounds.
+enum class Bounds : std::uint8_t { kWide, kNarrow };
+inline constexpr std::array<std::string_view, 2> kBoundsNames{"wide", "narrow"};
+
+struct HandNumber {
+  std::string_view key;
+  std::string_view unit;
+  std::array<ValueRange, 2> ranges;  // in the order of Bounds
+};
+inline constexpr std::size_t kHandNumbers = 6;
+// press_n: the force with which the hand would rest in the wall.
+inline constexpr std::array<HandNumber, kHandNumbers> kHandNumberList{
+    {{"mass_kg", "kg", {{{0.005, 1.0}, {0.02, 1.0}}}},
+     {"stiffness_n_per_m", "N/m", {{{20.0, 2000.0}, {50.0, 800.0}}}},
+     {"damping_n_s_per_m", "N·s/m", {{{0.02, 40.0}, {1.0, 35.0}}}},
+     {"grip_stiffness_n_per_m", "N/m", {{{100.0, 20000.0}, {300.0, 5000.0}}}},
+     {"grip_damping_n_s_per_m", "N·s/m", {{{0.02, 20.0}, {1.0, 20.0}}}},
+     {"press_n", "N", {{{0.2, 8.0}, {0.5, 5.0}}}}}};
+
+using HandValues = std::array<double, kHandNumbers>;  // SI units, in the order of the list
+// Places between the bounds on a logarithmic scale, 0 to 1 each.
+using HandPoint = std::array<double, kHandNumbers>;
+
+// The same bits on every machine. Realtime-safe: yes.
+[[nodiscard]] HandValues values_at(const HandPoint& point, Bounds bounds);
+
+// True for a number within 1 % of one of its bounds. Realtime-safe: yes.
+[[nodiscard]] bool is_at_bound(const HandValues& values, std::size_t number, Bounds bounds);
+
+// Axis x with this hand. It is let go: its path has one point, so no muscle works, and the hand
+// owns the energy of its stretched spring and no more. Handle and hand start at rest.
+// Precondition: problem_of() of the scene is nullopt. Realtime-safe: no.
+[[nodiscard]] Scene with_hand(const Scene& scene, const HandValues& values);
+
+// The reason why a scene has no such search: no wall, a start in a wall, or a hand out of range.
+// Realtime-safe: no.
+[[nodiscard]] std::optional<SceneProblem> problem_of(const Scene& scene, Bounds bounds);
+
+}  // namespace hapticwall::worst_hand

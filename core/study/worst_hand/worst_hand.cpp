@@ -1,0 +1,217 @@
+#include "core/study/worst_hand/worst_hand.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <span>
+#include <utility>
+
+#include "core/run/batch_simulator.h"
+#include "core/run/metrics.h"
+#include "core/study/worst_hand/cma_es.h"
+#include "core/study/worst_hand/random.h"
+#include "core/study/worst_hand/sobol.h"
+
+namespace hapticwall::worst_hand {
+namespace {
+
+constexpr std::size_t kFirstHands = 1024;
+constexpr std::size_t kRestartHands = 256;
+constexpr std::array<std::size_t, 3> kPopulations{32, 64, 96};
+constexpr double kNeighbourhood = 0.01;
+// Hands that are ranked differ by more than this in a number: the hands that took most are often
+// copies of one lucky hand.
+constexpr double kDistinct = 0.1;
+
+double taken_j(const Summary& run) { return std::max(0.0, -run.passivity_margin_j.value_or(0.0)); }
+
+// Energy taken. Without any, a negative number: how much of the device's damping the actuator gave.
+double score_of(const Summary& run) {
+  constexpr double kSmall = 1e-12;  // every hand that takes energy ranks above
+  if (taken_j(run) > kFoundJ) return taken_j(run);
+  const double lost_j = run.true_dissipation_j.value_or(0.0);
+  const double given_j = -run.true_actuator_work_j.value_or(0.0);
+  return kSmall * ((lost_j > 0.0 ? std::clamp(given_j / lost_j, -1.0, 1.0) : -1.0) - 1.0);
+}
+
+bool are_distinct(const HandValues& a, const HandValues& b) {
+  for (std::size_t i = 0; i < kHandNumbers; ++i) {
+    if (std::abs(a.at(i) - b.at(i)) > kDistinct * std::max(a.at(i), b.at(i))) return true;
+  }
+  return false;
+}
+
+// The same offsets for all hands, so that their medians compare.
+std::vector<HandValues> neighbours_of(const HandValues& values, std::uint64_t seed) {
+  Random random(seed);
+  std::vector<HandValues> neighbours(kNeighbours, values);
+  for (HandValues& neighbour : neighbours) {
+    for (double& value : neighbour) value *= 1.0 + kNeighbourhood * (2.0 * random.uniform() - 1.0);
+  }
+  return neighbours;
+}
+
+class Search {
+ public:
+  Search(const Plan& plan, const SearchOptions& options)
+      : plan_(plan), options_(options), random_(plan.seed), sobol_(random_) {}
+
+  std::optional<Found> run() {
+    for (HandPoint start = best_of_new(kFirstHands); !over(); start = best_of_new(kRestartHands)) {
+      climb(start, kPopulations.at(climbs_++ % kPopulations.size()));
+    }
+    rank();
+    if (stopped_) return std::nullopt;
+    tell_progress(1.0);
+    return std::move(found_);
+  }
+
+ private:
+  struct Tried {
+    HandValues values;
+    double taken_j;
+  };
+
+  [[nodiscard]] bool over() {
+    return stopped_ || found_.hands >= plan_.hands ||
+           (options_.time_is_up && options_.time_is_up());
+  }
+  void tell_progress(double fraction) const {
+    if (options_.progress) options_.progress(fraction);
+  }
+
+  HandPoint best_of_new(std::size_t count) {
+    if (over() && found_.hands > 0) return {};
+    std::vector<HandPoint> points(count);
+    for (HandPoint& point : points) point = sobol_.next();
+    const std::vector<double> scores = try_hands(points);
+    return scores.empty() ? HandPoint{} : points[std::ranges::max_element(scores) - scores.begin()];
+  }
+
+  void climb(const HandPoint& start, std::size_t population) {
+    CmaEs climber(start, population);
+    while (!over() && !climber.is_over()) {
+      const std::vector<double> scores = try_hands(climber.ask(random_));
+      if (scores.size() < population) return;
+      climber.tell(scores);
+    }
+  }
+
+  // Scores of the points, or of the first of them if the hands run out.
+  std::vector<double> try_hands(std::vector<HandPoint> points) {
+    points.resize(std::min<std::size_t>(points.size(), plan_.hands - found_.hands));
+    std::vector<HandValues> hands;
+    hands.reserve(points.size());
+    for (const HandPoint& point : points) hands.push_back(values_at(point, plan_.bounds));
+    const std::vector<std::optional<Summary>> runs = run_hands(hands);
+    std::vector<double> scores;
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+      ++found_.hands;
+      const double taken = runs[i] ? taken_j(*runs[i]) : 0.0;
+      found_.refused += runs[i] ? 0U : 1U;
+      scores.push_back(runs[i] ? score_of(*runs[i]) : -1.0);
+      if (!(taken > kFoundJ)) continue;
+      if (taken > found_.most_j()) found_.gains.push_back({found_.hands, taken});
+      tried_.push_back({hands[i], taken});
+    }
+    tell_progress(static_cast<double>(found_.hands) / planned_runs());
+    return scores;
+  }
+  [[nodiscard]] double planned_runs() const {
+    return static_cast<double>(plan_.hands + kMaxRanked * kNeighbours);
+  }
+
+  // nullopt for a hand that the integrator refuses. Empty if the search was stopped.
+  std::vector<std::optional<Summary>> run_hands(std::span<const HandValues> hands) {
+    std::vector<Scene> scenes;
+    scenes.reserve(hands.size());
+    for (const HandValues& hand : hands) scenes.push_back(with_hand(plan_.scene, hand));
+    std::vector<std::size_t> places(hands.size());
+    std::iota(places.begin(), places.end(), std::size_t{0});
+    std::vector<std::optional<Summary>> runs(hands.size());
+    for (;;) try {
+        BatchResult batch = simulate_batch(
+            scenes,
+            {.threads = options_.threads, .should_stop = options_.should_stop, .progress = {}});
+        stopped_ = batch.stopped_early;
+        if (stopped_) return {};
+        for (std::size_t i = 0; i < places.size(); ++i)
+          runs[places[i]] = std::move(batch.summaries[i]);
+        return runs;
+      } catch (const SceneRefused& refused) {
+        const auto index = static_cast<std::ptrdiff_t>(refused.scene);
+        scenes.erase(scenes.begin() + index);
+        places.erase(places.begin() + index);
+      }
+  }
+
+  // The hands that took most, without copies of a better one.
+  std::vector<Tried> best_distinct() {
+    std::ranges::stable_sort(tried_, std::ranges::greater(), &Tried::taken_j);
+    std::vector<Tried> best;
+    for (const Tried& tried : tried_) {
+      if (best.size() == kMaxRanked) break;
+      if (std::ranges::all_of(
+              best, [&](const Tried& other) { return are_distinct(tried.values, other.values); })) {
+        best.push_back(tried);
+      }
+    }
+    return best;
+  }
+
+  void rank() {
+    const std::uint64_t seed = random_.bits();
+    const std::vector<Tried> best = best_distinct();
+    for (std::size_t i = 0; i < best.size() && !stopped_; ++i) {
+      std::vector<double> taken = taken_by(neighbours_of(best[i].values, seed));
+      if (stopped_) return;
+      std::ranges::sort(taken);
+      const double median = 0.5 * (taken[kNeighbours / 2 - 1] + taken[kNeighbours / 2]);
+      if (!found_.hand || median > found_.hand->typical_j) {
+        found_.hand = FoundHand{best[i].values, {}, best[i].taken_j, median, taken.front(), {}};
+      }
+      const auto runs = static_cast<double>(found_.hands + (i + 1) * kNeighbours);
+      tell_progress(runs / planned_runs());
+    }
+    if (!found_.hand || stopped_) return;
+    found_.hand->scene = with_hand(plan_.scene, found_.hand->values);
+    found_.hand->last_second_w = last_second_w(found_.hand->scene);
+  }
+  std::vector<double> taken_by(const std::vector<HandValues>& hands) {
+    std::vector<double> taken;
+    for (const std::optional<Summary>& run : run_hands(hands))
+      taken.push_back(run ? taken_j(*run) : 0.0);
+    return taken;
+  }
+
+  // A shorter run is the first part of the longer one.
+  std::optional<double> last_second_w(const Scene& scene) {
+    const SimulationOptions stoppable{
+        .on_sample = {}, .should_stop = options_.should_stop, .changes = {}};
+    const SimulationResult whole = simulate(scene, stoppable);
+    Scene shorter = scene;
+    shorter.duration_s = whole.summary.duration_s - kTailS;
+    if (shorter.duration_s * scene.sampling.rate_hz < 0.5) return std::nullopt;
+    const SimulationResult part = simulate(shorter, stoppable);
+    stopped_ = whole.stopped_early || part.stopped_early;
+    return (*part.summary.true_hand_work_j - *whole.summary.true_hand_work_j) / kTailS;
+  }
+
+  const Plan& plan_;
+  const SearchOptions& options_;
+  Random random_;
+  Sobol sobol_;
+  std::size_t climbs_ = 0;
+  Found found_;
+  std::vector<Tried> tried_;  // hands that took energy
+  bool stopped_ = false;
+};
+
+}  // namespace
+
+std::optional<Found> search(const Plan& plan, const SearchOptions& options) {
+  return Search(plan, options).run();
+}
+
+}  // namespace hapticwall::worst_hand
