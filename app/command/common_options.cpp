@@ -317,7 +317,8 @@ Failure check_outputs(const OutputOptions& options, std::vector<std::string> rea
       {"--plot", options.plot},
       {"--wav", options.wav},
       {"--stream", options.stream.path},
-      {"--device-file", options.device_file}};
+      {"--device-file", options.device_file},
+      {"--scene-file", options.scene_file}};
   if (!options.csv.empty())
     files.emplace_back("the sidecar of --csv", file::sidecar_path_of(options.csv));
   for (std::size_t i = 0; i < files.size(); ++i) {

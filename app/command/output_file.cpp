@@ -78,6 +78,7 @@ Result<OutputFiles> OutputFiles::open(const OutputOptions& options) {
   if (Failure failed = files.csv_.open(options.csv)) return *failed;
   if (Failure failed = files.json_.open(*prints_json ? "" : options.json)) return *failed;
   if (Failure failed = files.plot_.open(options.plot)) return *failed;
+  if (Failure failed = files.scene_.open(options.scene_file)) return *failed;
   files.plot_path_ = options.plot;
   return files;
 }
@@ -109,6 +110,11 @@ Failure OutputFiles::write(const ResultTexts& texts, const DrawResult& draw) {
     if (!first) first = std::move(failed);
   };
   keep(json_.write_whole(texts.json));
+  if (texts.scene.empty()) {
+    scene_.discard();
+  } else {
+    keep(scene_.write_whole(texts.scene));
+  }
   if (plot_.is_open()) keep(write_figure(draw));
   if (prints_json_) {
     keep(write_output(texts.json));

@@ -34,6 +34,7 @@ struct OutputOptions {
   std::string wav;
   StreamChoice stream;
   std::string device_file;  // the device file that identify writes
+  std::string scene_file;   // the scene that a study writes
   std::vector<std::string> expectations;
   bool signals = false;  // adds the algorithms' signals to --csv, --stream and --plot
   bool quiet = false;
@@ -68,11 +69,13 @@ struct ResultTexts {
   std::string csv;
   std::string json;
   std::string table;  // the text for people
+  std::string scene = {};
 };
 
 using DrawResult = std::function<Result<file::Picture>(draw::Ink ink)>;
 
-// The files of --csv, --json and --plot. They get their names when the command has succeeded.
+// The files of --csv, --json, --plot and --scene-file. They get their names when the command has
+// succeeded.
 class OutputFiles {
  public:
   // Opens them before anything runs.
@@ -91,6 +94,7 @@ class OutputFiles {
   OutputFile csv_;
   OutputFile json_;
   OutputFile plot_;
+  OutputFile scene_;
   std::string plot_path_;  // its ending chooses the format
   bool prints_json_ = false;
   bool quiet_ = false;

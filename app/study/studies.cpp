@@ -9,6 +9,7 @@ std::span<const Study* const> studies() {
   static const std::array kStudies{
       &ranking_study(),
       &accuracy_study(),
+      &worst_hand_study(),
   };
   return kStudies;
 }

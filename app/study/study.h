@@ -44,19 +44,21 @@ struct Outcome {
   std::string csv;     // the data for programs: all digits, SI units
   std::string json;
   std::optional<draw::LogFigure> figure;  // present if and only if Study::figure is not ""
+  std::string scene = {};                 // a scene file; empty: the study found none
 };
 
 // Computes. Nullopt if `should_stop` returned true. Realtime-safe: no.
 using Run = std::function<std::optional<Outcome>(const Means& means)>;
 
 struct Study {
-  std::string_view name;    // name of the command, and of its items in the window
-  std::string_view title;   // title in the window
-  bool has_command = true;  // false: the study is a mode of another command
-  std::string_view help;    // one line of --help
-  std::string_view about;   // text of the window before there is a result
-  std::string_view line;    // the subject of one line of the CSV
-  std::string_view figure;  // help of --plot; "": the study has no figure
+  std::string_view name;             // name of the command, and of its items in the window
+  std::string_view title;            // title in the window
+  bool has_command = true;           // false: the study is a mode of another command
+  std::string_view help;             // one line of --help
+  std::string_view about;            // text of the window before there is a result
+  std::string_view line;             // the subject of one line of the CSV
+  std::string_view figure;           // help of --plot; "": the study has no figure
+  std::string_view scene_file = {};  // help of --scene-file; "": the study has no scene
   std::string_view instead_of_expect;
   std::vector<Option> options;
   bool of_all_algorithms = false;  // the algorithm in force does not matter

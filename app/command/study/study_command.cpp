@@ -56,10 +56,11 @@ Result<int> run_study(const study::Study& study, std::string_view command, std::
   const auto outcome =
       compute(*run, fmt::format("{} of {}", study.name, loaded->scene.name), output.quiet);
   if (!outcome) return ended_early();
-  return status_of(files->write(
-      {outcome->csv, outcome->json, table::sheet_text(outcome->sheet)}, [&](draw::Ink ink) {
-        return draw::draw_log_page(*outcome->figure, draw::kLogFigureSize.in(ink));
-      }));
+  return status_of(
+      files->write({outcome->csv, outcome->json, table::sheet_text(outcome->sheet), outcome->scene},
+                   [&](draw::Ink ink) {
+                     return draw::draw_log_page(*outcome->figure, draw::kLogFigureSize.in(ink));
+                   }));
 }
 
 Command add_study(CLI::App& program, const study::Study& study) {
@@ -82,6 +83,10 @@ Command add_study(CLI::App& program, const study::Study& study) {
   add_csv_option(*app, given->output,
                  fmt::format("Write the table as CSV, one line per {}", study.line));
   if (!study.figure.empty()) add_plot_option(*app, given->output, std::string(study.figure));
+  if (!study.scene_file.empty()) {
+    app->add_option("--scene-file", given->output.scene_file, std::string(study.scene_file))
+        ->type_name("FILE.toml");
+  }
   add_output_options(*app, given->output);
   app->get_option("--json")->description("Write the study as JSON; - is standard output");
   // Hidden: the error message says which command has it.
