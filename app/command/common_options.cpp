@@ -63,6 +63,7 @@ Failure check_endings(const OutputOptions& options) {
     return usage_error(fmt::format("--device-file {}: end the name in .toml: a scene names it so",
                                    file::in_quotes(options.device_file)));
   }
+  if (Failure failed = check_ending("--scene-file", options.scene_file, {".toml"})) return failed;
   return check_ending("--wav", options.wav, {".wav"});
 }
 

@@ -104,6 +104,8 @@ void compute_studies(Person& person) {
   person.click("study copy");
   EXPECT_EQ(person.clipboard(), table::sheet_text(accuracy.result()->sheet));
   person.click("study column integrator");
+  person.click("study worst-hand");
+  EXPECT_NE(&studies.shown(), &accuracy);
   person.click("study ranking");
   EXPECT_NE(&studies.shown(), &accuracy);
   go_to_page(person, "Plots");
