@@ -86,7 +86,9 @@ class Search {
     std::vector<HandPoint> points(count);
     for (HandPoint& point : points) point = sobol_.next();
     const std::vector<double> scores = try_hands(points);
-    return scores.empty() ? HandPoint{} : points[std::ranges::max_element(scores) - scores.begin()];
+    return scores.empty() ? HandPoint{}
+                          : points[static_cast<std::size_t>(std::ranges::max_element(scores) -
+                                                            scores.begin())];
   }
 
   void climb(const HandPoint& start, std::size_t population) {
