@@ -25,7 +25,7 @@ class PagesTest : public ProgramTest {
     const std::string text = help("");
     const std::string part =
         text.substr(0, text.find("\nExamples:\n")).substr(text.find("\nCommands:\n"));
-    return found_in(part, "\n  ([a-z]+)  ");
+    return found_in(part, "\n  ([a-z-]+)  ");
   }
   [[nodiscard]] static std::vector<std::string> found_in(const std::string& text,
                                                          const std::string& pattern) {
@@ -67,7 +67,7 @@ TEST_F(PagesTest, TheManualHasEveryCommandOptionAndScene) {
   ASSERT_GE(all.size(), 9U);
   all.emplace_back();
   for (const std::string& command : all) {
-    const std::string heading = command.empty() ? ".SH OPTIONS" : ".SS hapticwall " + command;
+    const std::string heading = command.empty() ? ".SH OPTIONS" : ".SS hapticwall " + escaped(command);
     const std::size_t begin = manual.find("\n" + heading + "\n");
     ASSERT_NE(begin, std::string::npos) << command;
     const std::string part = manual.substr(begin, manual.find("\n.S", begin + 1) - begin);
