@@ -76,7 +76,10 @@ MapAxis axis_around(const SceneNumber& number, std::optional<double> value) {
   if (at > 0.0) return within(number, at / kDecade, at * kDecade, true);
   const double span = usual_span(number.unit);
   const bool excluded = number.range.minimum_excluded;
-  return within(number, excluded ? span / static_cast<double>(kLiveMapValues) : 0.0, span, false);
+  const double low = excluded ? span / static_cast<double>(kLiveMapValues) : 0.0;
+  // A range that begins beyond the usual span is shown for a decade.
+  const double high = number.range.minimum < span ? span : kDecade * number.range.minimum;
+  return within(number, low, high, false);
 }
 
 std::optional<std::string> set_range(MapAxisChoice& choice, double low, double high,
