@@ -87,25 +87,28 @@ std::optional<std::string> note_of(const Summary& summary, const RunStats& stats
   return std::nullopt;
 }
 
-// From this instant on a path of points stays where it is.
-double rests_from_s(const std::vector<PathPoint>& points) {
-  for (std::size_t i = points.size(); i > 1; --i) {
-    if (points[i - 2].position_m != points.back().position_m) return points[i - 1].time_s;
-  }
-  return 0.0;
+// Times of points are rounded; a motion that overlaps by less than this many ticks is none.
+constexpr double kRoundingTicks = 1e-6;
+
+bool rests(const std::vector<PathPoint>& points, double rate_hz, double from_tick,
+           double last_tick) {
+  const auto moves = [&](const PathPoint& a, const PathPoint& b) {
+    return a.position_m != b.position_m && a.time_s * rate_hz < last_tick - kRoundingTicks &&
+           b.time_s * rate_hz > from_tick + kRoundingTicks;
+  };
+  return std::ranges::adjacent_find(points, moves) == points.end();
 }
 
-double rests_from_tick(const std::vector<PathPiece>& pieces) {
-  for (std::size_t i = pieces.size(); i > 0; --i) {
-    if (pieces[i - 1].velocity_m_per_s != 0.0) {
-      return i < pieces.size() ? pieces[i].from_tick : std::numeric_limits<double>::infinity();
-    }
-    if (i > 1 && pieces[i - 2].velocity_m_per_s == 0.0 &&
-        pieces[i - 2].position_m != pieces[i - 1].position_m) {
-      return pieces[i - 1].from_tick;
-    }
+bool rests(const std::vector<PathPiece>& pieces, double from_tick, double last_tick) {
+  std::optional<double> place_m;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const bool is_over = i + 1 < pieces.size() && pieces[i + 1].from_tick <= from_tick;
+    if (is_over || pieces[i].from_tick > last_tick) continue;
+    const bool moves = pieces[i].velocity_m_per_s != 0.0 && last_tick > from_tick;
+    if (moves || (place_m && pieces[i].position_m != *place_m)) return false;
+    place_m = pieces[i].position_m;
   }
-  return 0.0;
+  return true;
 }
 
 }  // namespace
@@ -154,21 +157,19 @@ Summary summarise(const Scene& scene, const RunStats& stats, const EnergyLedger&
   return summary;
 }
 
-bool hand_rests_from(const Scene& scene, std::uint64_t tick) {
-  if (!scene.x().hand) return true;
+bool hand_rests(const Scene& scene, std::uint64_t from, std::uint64_t end) {
+  if (!scene.x().hand || end == 0) return true;
   const HandSettings& hand = *scene.x().hand;
   if (hand.follows_mouse) return false;
-  const auto from_tick = static_cast<double>(tick);
-  if (hand.path.recorded) {
-    const RecordedPieces& recorded = *hand.path.recorded;
-    return rests_from_tick(recorded.pieces) <= from_tick;
-  }
-  return rests_from_s(hand.path.points()) * scene.sampling.rate_hz <= from_tick;
+  const auto from_tick = static_cast<double>(from);
+  const auto last_tick = static_cast<double>(end - 1);
+  if (hand.path.recorded) return rests(hand.path.recorded->pieces, from_tick, last_tick);
+  return rests(hand.path.points(), scene.sampling.rate_hz, from_tick, last_tick);
 }
 
 TickMetrics tick_metrics(const Scene& scene) {
   const std::uint64_t tail = tail_begin_tick(scene.tick_count(), scene.sampling.rate_hz);
-  return {scene.sampling.rate_hz, tail, hand_rests_from(scene, tail) ? tail : 0};
+  return {scene.sampling.rate_hz, tail, hand_rests(scene, tail, scene.tick_count()) ? tail : 0};
 }
 
 Metrics::Metrics(const Scene& scene, std::uint64_t planned_ticks, SampleOrigin origin)
@@ -179,10 +180,7 @@ Metrics::Metrics(const Scene& scene, std::uint64_t planned_ticks, SampleOrigin o
 
 double Metrics::absorbed_by_device_j(const Sample& sample) {
   if (origin_ == SampleOrigin::kDevice) return sample.energy_scv_j - sample.energy_budget_j;
-  if (end_.ticks > 0) {
-    applied_j_ += last_.applied_force_n * (sample.position_m - last_.position_m);
-  }
-  return applied_j_ - sample.energy_budget_j;
+  return applied_.absorbed_j(sample.position_m, sample.applied_force_n, sample.energy_budget_j);
 }
 
 void Metrics::add(const Sample& sample) {

@@ -186,9 +186,9 @@ struct RunEnd {
                                 const EnergyLedger& ledger,
                                 const std::optional<PlantEnergies>& energies, const RunEnd& end);
 
-// True if the hand's path is known and constant from this tick on, as without a hand.
-// Realtime-safe: yes.
-[[nodiscard]] bool hand_rests_from(const Scene& scene, std::uint64_t tick);
+// True if the hand's path is known and constant from tick `from` to tick `end` - 1, as without a
+// hand. Later motion does not count. Realtime-safe: yes.
+[[nodiscard]] bool hand_rests(const Scene& scene, std::uint64_t from, std::uint64_t end);
 
 // Metrics of a headless run of the scene.
 [[nodiscard]] TickMetrics tick_metrics(const Scene& scene);
@@ -200,6 +200,24 @@ struct RunEnd {
 [[nodiscard]] inline bool has_diverged(double position_m) {
   return !(std::abs(position_m) <= kDivergedPositionM);
 }
+
+// Energy that a device has taken from the hand, from its measured positions and the force that it
+// reports as applied.
+class AppliedEnergy {
+ public:
+  // Call for every tick, in order; `budget_j`: EnergyLedger::budget_j. Realtime-safe: yes.
+  double absorbed_j(double position_m, double applied_force_n, double budget_j) {
+    work_j_ += last_force_n_ * (position_m - last_position_m_);
+    last_position_m_ = position_m;
+    last_force_n_ = applied_force_n;
+    return work_j_ - budget_j;
+  }
+
+ private:
+  double work_j_ = 0.0;
+  double last_force_n_ = 0.0;  // 0 before the first tick
+  double last_position_m_ = 0.0;
+};
 
 // Origin of samples: a simulator, or a device, which may report the force that it applies.
 enum class SampleOrigin : std::uint8_t { kSimulator, kDevice, kDeviceWithForce };
@@ -230,7 +248,7 @@ class Metrics {
   TickMetrics ticks_;
   std::optional<double> tail_path_m_;  // of the hand, at the begin of the tail
   bool hand_rests_ = false;
-  double applied_j_ = 0.0;  // Σ F Δx of the applied forces
+  AppliedEnergy applied_;
   RunEnd end_;
   std::optional<double> initial_kinetic_j_;
   Sample last_;

@@ -32,8 +32,8 @@ class Simulation {
         plant_(make(scene)),
         run_{options.on_sample, options.signals, Servo(servo_settings(scene)),
              OutputStage(scene.x().device), tick_metrics(scene)},
-        hand_rests_(
-            hand_rests_from(scene, tail_begin_tick(scene.tick_count(), scene.sampling.rate_hz))) {}
+        hand_rests_(hand_rests(scene, tail_begin_tick(scene.tick_count(), scene.sampling.rate_hz),
+                               scene.tick_count())) {}
 
   // Runs to the end, or until `should_stop` returns true. Call it once.
   SimulationResult run() {

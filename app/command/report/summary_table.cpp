@@ -211,14 +211,14 @@ std::string summary_line(std::string_view label, std::string_view text) {
 bool hand_moves_in_tail(const Scene& scene, const RunSummary& run, double end_s) {
   const bool of_a_device = !run.front().true_hand_work_j;  // held by a person
   if (of_a_device || run.front().verdict == Verdict::kDiverged) return false;
-  const auto moves = [&](const AxisSettings& axis) {
-    if (!axis.hand) return false;
-    const auto is_late = [&](const PathPoint& a, const PathPoint& b) {
-      return a.position_m != b.position_m && a.time_s < end_s && b.time_s > end_s - kTailS;
-    };
-    return std::ranges::adjacent_find(axis.hand->path, is_late) != axis.hand->path.end();
-  };
-  return std::ranges::any_of(scene.axes, moves);
+  const auto end_tick = static_cast<std::uint64_t>(std::llround(end_s * scene.sampling.rate_hz));
+  const std::uint64_t from_tick = tail_begin_tick(end_tick, scene.sampling.rate_hz);
+  for (std::size_t axis = 0; axis < scene.axes.size(); ++axis) {
+    const auto& hand = scene.axes[axis].hand;
+    const bool has_script = hand && !hand->follows_mouse;
+    if (has_script && !hand_rests(axis_scene(scene, axis), from_tick, end_tick)) return true;
+  }
+  return false;
 }
 
 std::string summary_lines(const RunSummary& run, const Circumstances& circumstances) {

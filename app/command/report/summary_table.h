@@ -17,7 +17,7 @@ struct Circumstances {
 };
 
 // True if a script moves a simulated hand, of either axis, in the second before `end_s` (seconds
-// since the session began): the tail's peak to peak and the verdict then include that motion. False
+// since the session began): the tail's peak to peak then includes that motion. False
 // for a run that diverged.
 [[nodiscard]] bool hand_moves_in_tail(const Scene& scene, const RunSummary& run, double end_s);
 

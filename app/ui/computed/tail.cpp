@@ -34,19 +34,15 @@ class Absorbed {
       return history_.value(&PlantTruth::actuator_work_j, i) +
              history_.value(&PlantTruth::dissipation_j, i);
     }
-    const double position_m = history_.value(&Sample::position_m, i);
-    applied_j_ += last_n_ * (position_m - last_m_);
-    last_m_ = position_m;
-    last_n_ = history_.value(&Sample::applied_force_n, i);
-    return applied_j_ - history_.value(&Sample::energy_budget_j, i);
+    return applied_.absorbed_j(history_.value(&Sample::position_m, i),
+                               history_.value(&Sample::applied_force_n, i),
+                               history_.value(&Sample::energy_budget_j, i));
   }
 
  private:
   const SampleHistory& history_;
   bool knows_truth_;
-  double applied_j_ = 0.0;
-  double last_n_ = 0.0;  // 0 before the first sample
-  double last_m_ = 0.0;
+  AppliedEnergy applied_;
 };
 
 // Statistics of the tail `range`, judged with the pieces before it that decide whether its first

@@ -4,9 +4,11 @@
 
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <numbers>
 
 #include "core/algorithm/algorithm.h"
+#include "core/run/simulate.h"
 
 namespace hapticwall {
 namespace {
@@ -95,6 +97,48 @@ TEST(Metrics, ASlowSwingIsNoDrift) {
     EXPECT_EQ(swing.finish().verdict, Verdict::kOscillating) << rate_hz;
     EXPECT_EQ(drift.finish().verdict, Verdict::kMoving) << rate_hz;
   }
+}
+
+TEST(HandRests, WithinTheTicksAlone) {
+  Scene scene = wall_at_ten_hertz();
+  EXPECT_TRUE(hand_rests(scene, 0, 10)) << "no hand";
+  HandSettings& hand = scene.x().hand.emplace();
+  // At rest from tick 10 to 20, and from 30 on.
+  hand.path = {{0.0, 0.0}, {1.0, 0.1}, {2.0, 0.1}, {3.0, 0.2}};
+  EXPECT_FALSE(hand_rests(scene, 9, 15));
+  EXPECT_TRUE(hand_rests(scene, 10, 15));
+  EXPECT_TRUE(hand_rests(scene, 10, 21)) << "the last tick is 20";
+  EXPECT_FALSE(hand_rests(scene, 10, 22));
+  EXPECT_TRUE(hand_rests(scene, 30, 100));
+  RecordedPieces recorded;
+  recorded.pieces = {{0.0, 0.0, 0.0, 0.1}, {10.0, 10.0, 0.1, 0.0}, {20.0, 20.0, 0.1, 0.1}};
+  hand.path = {};
+  hand.path.recorded = std::make_shared<const RecordedPieces>(recorded);
+  EXPECT_FALSE(hand_rests(scene, 9, 15));
+  EXPECT_TRUE(hand_rests(scene, 10, 20));
+  EXPECT_FALSE(hand_rests(scene, 10, 25));
+  hand.path = {};
+  hand.follows_mouse = true;
+  EXPECT_FALSE(hand_rests(scene, 0, 10)) << "nobody knows the pointer beforehand";
+}
+
+// A run that ends while its script rests is judged as its samples are, whatever comes later.
+TEST(HandRests, ARunThatEndsBeforeTheNextMotionAgreesWithItsSamples) {
+  Scene scene;
+  scene.duration_s = 3.0;
+  scene.x().walls = {{0.05, 35e3, 0.0}};
+  HandSettings& hand = scene.x().hand.emplace();
+  hand.mass_kg = 0.1;
+  hand.stiffness_n_per_m = 300.0;
+  hand.damping_n_s_per_m = 5.0;
+  hand.path = {{0.0, 0.03}, {0.3, 0.06}, {5.0, 0.06}, {6.0, 0.03}};
+  Metrics samples(scene, scene.tick_count(), SampleOrigin::kSimulator);
+  SimulationOptions options;
+  options.on_sample = [&](const Sample& sample) { samples.add(sample); };
+  const Summary run = simulate(scene, options).summary;
+  EXPECT_EQ(run.verdict, samples.finish().verdict);
+  EXPECT_EQ(run.chatter_n, samples.finish().chatter_n);
+  EXPECT_EQ(run.swing_m, samples.finish().swing_m);
 }
 
 // A device cannot see less than a count: √2 counts are added to what rests.

@@ -44,7 +44,7 @@ void expect_same(const Tails& tails, Scene scene, std::uint64_t ticks, std::size
     // The strip judges its second alone. A run judges all of it while the hand moves, and calls a
     // wall that was touched earlier settled.
     const bool rests =
-        hand_rests_from(axis_scene(scene, axis), tail_begin_tick(ticks, scene.sampling.rate_hz));
+        hand_rests(axis_scene(scene, axis), tail_begin_tick(ticks, scene.sampling.rate_hz), ticks);
     if (rests && shown.verdict != Verdict::kNoContact && expected.verdict != Verdict::kActive) {
       EXPECT_EQ(shown.verdict, expected.verdict);
       EXPECT_EQ(shown.chatter_n, expected.chatter_n);
