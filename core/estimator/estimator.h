@@ -15,7 +15,7 @@
 // All three are realtime-safe: bounded time, no allocation, no lock, no system call. Optional, for
 // set-up and display:
 //
-//     // Of a linear estimator: the limits of stability read it.
+//     // The transfer function of a linear estimator, which the limits of stability read.
 //     static VelocityTransfer transfer(const EstimatorContext& context);
 //     // Numbers that follow from the parameters, for people.
 //     static DerivedNumbers numbers(const EstimatorContext& context);
@@ -106,7 +106,8 @@ template <class Struct>
 [[nodiscard]] std::span<const ParameterDescription> estimator_parameters();
 // nullptr for the backward difference, which the tick computes without a call.
 [[nodiscard]] const Estimator* chosen_estimator(const EstimatorSettings& settings);
-// Of the estimator that `context.settings` names; nullopt if it is not linear.
+// The transfer function of the estimator that `context.settings` names; nullopt if it is not
+// linear.
 [[nodiscard]] std::optional<VelocityTransfer> velocity_transfer(const EstimatorContext& context);
 
 }  // namespace hapticwall

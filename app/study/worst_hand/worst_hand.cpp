@@ -165,7 +165,7 @@ std::string marks(const worst_hand::Plan& plan, const std::vector<Row>& rows) {
   return text + criterion_lines(plan, rows);
 }
 
-// Of the hand with the largest typical energy.
+// The scene with the hand of the largest typical energy.
 std::string scene_text(const std::vector<Row>& rows) {
   const auto typical = [](const Row& row) {
     return row.found.hand ? row.found.hand->typical_j : -1.0;

@@ -47,8 +47,8 @@ struct DockState {
 };
 
 // Shows the page from the next frame on. During a blind test only its own windows are shown. The
-// page gets the focus: else a window that is new takes it from a part that leaves, and comes to the
-// front.
+// page gets the focus. Otherwise a new window would take the focus from a window that closes, and
+// would come to the front.
 inline void show_page(DockState& dock, const char* page) {
   ImGui::SetWindowFocus((std::string("###page ") + page).c_str());
   if (dock.chosen) bring_to_front(*dock.chosen, page);

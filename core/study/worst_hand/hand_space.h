@@ -37,7 +37,7 @@ using HandValues = std::array<double, kHandNumbers>;  // SI units, in the order 
 // Places between the bounds on a logarithmic scale, 0 to 1 each.
 using HandPoint = std::array<double, kHandNumbers>;
 
-// The same bits on every machine. Realtime-safe: yes.
+// The numbers of a hand have the same bits on every machine. Realtime-safe: yes.
 [[nodiscard]] HandValues values_at(const HandPoint& point, Bounds bounds);
 
 // True for a number within 1 % of one of its bounds. Realtime-safe: yes.

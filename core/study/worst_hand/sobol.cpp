@@ -11,7 +11,7 @@ struct Primitive {
   std::uint32_t coefficients;
   std::array<std::uint32_t, 4> first;
 };
-// Of the second and the following dimensions; the first one has all numbers 1.
+// Direction numbers of the second and the following dimensions; those of the first are all 1.
 constexpr std::array<Primitive, kHandNumbers - 1> kPrimitives{
     {{1, 0, {1}}, {2, 1, {1, 3}}, {3, 1, {1, 3, 1}}, {3, 2, {1, 1, 1}}, {4, 1, {1, 1, 3, 3}}}};
 

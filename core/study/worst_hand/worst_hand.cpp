@@ -42,7 +42,7 @@ bool are_distinct(const HandValues& a, const HandValues& b) {
   return false;
 }
 
-// The same offsets for all hands, so that their medians compare.
+// Every hand gets the same offsets, so that their medians compare.
 std::vector<HandValues> neighbours_of(const HandValues& values, std::uint64_t seed) {
   Random random(seed);
   std::vector<HandValues> neighbours(kNeighbours, values);
