@@ -67,7 +67,8 @@ TEST_F(PagesTest, TheManualHasEveryCommandOptionAndScene) {
   ASSERT_GE(all.size(), 9U);
   all.emplace_back();
   for (const std::string& command : all) {
-    const std::string heading = command.empty() ? ".SH OPTIONS" : ".SS hapticwall " + escaped(command);
+    const std::string heading =
+        command.empty() ? ".SH OPTIONS" : ".SS hapticwall " + escaped(command);
     const std::size_t begin = manual.find("\n" + heading + "\n");
     ASSERT_NE(begin, std::string::npos) << command;
     const std::string part = manual.substr(begin, manual.find("\n.S", begin + 1) - begin);
