@@ -44,6 +44,19 @@ Problem check_fineness(const std::string& key, std::optional<double> value, doub
                                number_text(finest) + " " + std::string(unit) + " and more"};
 }
 
+Problem check_static_friction(const std::string& prefix, const DeviceSettings& device) {
+  const std::string key = prefix + "static_friction_n";
+  const double static_n = device.static_friction_n.value_or(0.0);
+  if (static_n > 0.0 && !device.stribeck_speed_m_per_s) {
+    return SceneProblem{key,
+                        "it falls with the speed: " + prefix + "stribeck_speed_m_per_s is missing"};
+  }
+  if (static_n > 0.0 && static_n < device.friction_n.value_or(0.0)) {
+    return SceneProblem{key, number_text(static_n) + " is less than " + prefix + "friction_n"};
+  }
+  return std::nullopt;
+}
+
 // `prefix`: "device." or "device.y."
 Problem check_device(const std::string& prefix, const DeviceSettings& device) {
   for (const auto& [key, value, finest, unit] :
@@ -53,7 +66,7 @@ Problem check_device(const std::string& prefix, const DeviceSettings& device) {
                    "s")}) {
     if (auto problem = check_fineness(prefix + key, value, finest, unit)) return problem;
   }
-  return std::nullopt;
+  return check_static_friction(prefix, device);
 }
 
 // The text of a key takes longer than the checks: only a problem has one.
@@ -170,7 +183,7 @@ Problem check_algorithm(const Scene& scene, const AxisSettings& axis) {
   AlgorithmContext context;
   context.settings = &settings;
   context.device_damping_n_s_per_m = axis.device.damping_n_s_per_m;
-  context.period_s = scene.sampling.period_s();
+  context.period_s = 1.0 / scene.sampling.render_rate_hz();
   for (const AlgorithmDescription& algorithm : algorithms()) {
     if (algorithm.problem == nullptr) continue;
     if (auto problem = algorithm.problem(context)) return problem;
@@ -185,7 +198,8 @@ Problem check_estimator(const EstimatorSettings& settings) {
   return check_parameters("estimator.", estimator_parameters(), settings.values);
 }
 
-Problem check_simulator(const SimulatorSettings& simulator) {
+Problem check_simulator(const Scene& scene) {
+  const SimulatorSettings& simulator = scene.simulator;
   const std::string key = "simulator.substeps";
   if (simulator.substeps < 1 || simulator.substeps > kMaxSubsteps) {
     return SceneProblem{key, std::to_string(simulator.substeps) +
@@ -193,6 +207,13 @@ Problem check_simulator(const SimulatorSettings& simulator) {
   }
   if (simulator.integrator == Integrator::kExact && simulator.substeps != 1) {
     return SceneProblem{key, "the exact integrator has no substeps: it takes 1"};
+  }
+  for (std::size_t i = 0; i < scene.axes.size(); ++i) {
+    if (simulator.integrator != Integrator::kExact) break;
+    if (scene.axes[i].device.static_friction_n.value_or(0.0) == 0.0) continue;
+    return SceneProblem{axis_key("device", i) + ".static_friction_n",
+                        "the exact integrator has Coulomb friction alone: it takes "
+                        "simulator.integrator = \"rk4\" or \"semi-implicit-euler\""};
   }
   return std::nullopt;
 }
@@ -212,6 +233,7 @@ bool same_plant(const Scene& a, const Scene& b) {
 Scene axis_scene(const Scene& scene, std::size_t index) {
   Scene axis = scene;
   axis.axes = {scene.axes[index]};
+  axis.first_axis = scene.first_axis + index;
   return axis;
 }
 
@@ -237,7 +259,7 @@ Problem validate(const Scene& scene) {
     if (auto problem = check_algorithm(scene, axis)) return problem;
   }
   if (auto problem = check_estimator(scene.estimator)) return problem;
-  return check_simulator(scene.simulator);
+  return check_simulator(scene);
 }
 
 }  // namespace hapticwall

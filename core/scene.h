@@ -20,14 +20,40 @@
 
 namespace hapticwall {
 
-// Rate of the control loop, 10 Hz to 100 kHz. One period is a tick.
+// Rate of the control loop, 10 Hz to 100 kHz. One period is a tick. The loop is ideal without the
+// optional parts. The controller does not know of lost ticks and jitter: it computes with the
+// nominal period.
 struct SamplingSettings {
   double rate_hz = 1000.0;
+  // The controller computes on every n-th tick, with n times the period; the device holds its force
+  // until then. 1 to kMaxRenderEvery.
+  std::optional<int> render_every;
+  // Share of ticks, at random, on which the controller does not compute: the device holds its
+  // force.
+  std::optional<double> lost_ticks;
+  // The simulator's periods are independent and uniform within 1 ± jitter of the nominal one.
+  std::optional<double> jitter;
+  // Of lost ticks, jitter and the device's noise; nullopt: 1.
+  std::optional<int> seed;
 
   [[nodiscard]] double period_s() const { return 1.0 / rate_hz; }
+  // Rate of the controller's computations.
+  [[nodiscard]] double render_rate_hz() const { return rate_hz / render_every.value_or(1); }
+  // True if the times of the controller's computations are random.
+  [[nodiscard]] bool at_random() const {
+    return lost_ticks.value_or(0.0) > 0.0 || jitter.value_or(0.0) > 0.0;
+  }
+  // Rate, jitter and seed, which stay the same during a session.
+  [[nodiscard]] bool same_clock(const SamplingSettings& other) const {
+    return rate_hz == other.rate_hz && jitter == other.jitter && seed == other.seed;
+  }
+  [[nodiscard]] SamplingSettings with_clock_of(const SamplingSettings& other) const {
+    return {other.rate_hz, render_every, lost_ticks, other.jitter, other.seed};
+  }
   friend bool operator==(const SamplingSettings&, const SamplingSettings&) = default;
 };
 
+inline constexpr int kMaxRenderEvery = 1000;
 inline constexpr int kMaxDelayTicks = 1000;
 
 // One axis of the haptic device. The model omits a part whose optional is empty.
@@ -38,8 +64,16 @@ struct DeviceSettings {
   double damping_n_s_per_m = 1.0;
   // Coulomb friction, equal in both directions. A handle at rest sticks within it.
   std::optional<double> friction_n;
+  // Friction of a handle that breaks loose, at least friction_n: with the speed it falls to
+  // friction_n as 1/(1 + (v/stribeck_speed)²). Not for the exact integrator.
+  std::optional<double> static_friction_n;
+  std::optional<double> stribeck_speed_m_per_s;
   // One count of the encoder, at least 1e-12 m; 0 and nullopt: the position is continuous.
   std::optional<double> encoder_m;
+  // Standard deviations of noise that is new in every tick: of the position before the encoder
+  // counts it, and of the force at the amplifier.
+  std::optional<double> position_noise_m;
+  std::optional<double> force_noise_n;
   // Limit of the magnitude of the force. nullopt: none.
   std::optional<double> force_limit_n;
   // Rate at which the magnitude of the command may rise; a fall is not limited. 0 and nullopt: any.
@@ -195,6 +229,8 @@ struct Scene {
   AlgorithmSettings algorithm;
   EstimatorSettings estimator;
   SimulatorSettings simulator;
+  // Place of the first axis in the scene that axis_scene() took it from: axes differ in noise.
+  std::size_t first_axis = 0;
 
   [[nodiscard]] AxisSettings& x() { return axes.front(); }
   [[nodiscard]] const AxisSettings& x() const { return axes.front(); }
@@ -205,8 +241,8 @@ struct Scene {
   friend bool operator==(const Scene&, const Scene&) = default;
 };
 
-// A change of parameters during a session, in force from `tick` on. Sampling rate, duration, start
-// and path of the hand stay those of the first scene. The handle keeps its state.
+// A change of parameters during a session, in force from `tick` on. Sampling rate, jitter, seed,
+// duration, start and path of the hand stay those of the first scene. The handle keeps its state.
 struct ScheduledChange {
   std::uint64_t tick = 0;
   Scene scene;

@@ -21,6 +21,11 @@ constexpr ValueRange kForceResolution{0.0, 1e3};
 constexpr ValueRange kDelay{0.0, kMaxDelayTicks};
 constexpr ValueRange kTimeConstant{0.0, 10.0};
 constexpr ValueRange kRate{10.0, 100e3};
+constexpr ValueRange kRenderEvery{1.0, kMaxRenderEvery};
+constexpr ValueRange kLostTicks{0.0, 0.99};
+constexpr ValueRange kJitter{0.0, 0.99};
+constexpr ValueRange kSeed{0.0, std::numeric_limits<int>::max()};
+constexpr ValueRange kForceNoise{0.0, 1e3};
 constexpr ValueRange kDuration{0.0, 1e6, true};
 constexpr ValueRange kSpeedRange{0.0, 1e3, true};
 
@@ -33,16 +38,24 @@ constexpr auto kKeys<Scene> = std::to_array<NumberKey<Scene>>({{"duration_s", "s
 
 template <>
 constexpr auto kKeys<SamplingSettings> = std::to_array<NumberKey<SamplingSettings>>(
-    {{"rate_hz", "Hz", kRate, false, &SamplingSettings::rate_hz}});
+    {{"rate_hz", "Hz", kRate, false, &SamplingSettings::rate_hz},
+     {"render_every", "ticks", kRenderEvery, false, &SamplingSettings::render_every},
+     {"lost_ticks", "", kLostTicks, false, &SamplingSettings::lost_ticks},
+     {"jitter", "", kJitter, false, &SamplingSettings::jitter},
+     {"seed", "", kSeed, false, &SamplingSettings::seed}});
 
 template <>
 constexpr auto kKeys<DeviceSettings> = std::to_array<NumberKey<DeviceSettings>>(
     {{"mass_kg", "kg", kMass, true, &DeviceSettings::mass_kg},
      {"damping_n_s_per_m", "N·s/m", kDamping, true, &DeviceSettings::damping_n_s_per_m},
      {"friction_n", "N", kFriction, false, &DeviceSettings::friction_n},
+     {"static_friction_n", "N", kFriction, false, &DeviceSettings::static_friction_n},
+     {"stribeck_speed_m_per_s", "m/s", kSpeedRange, false, &DeviceSettings::stribeck_speed_m_per_s},
      {"encoder_m", "m", kEncoder, false, &DeviceSettings::encoder_m},
+     {"position_noise_m", "m", kEncoder, false, &DeviceSettings::position_noise_m},
      {"force_limit_n", "N", kForceLimit, false, &DeviceSettings::force_limit_n},
      {"max_force_rate_n_per_s", "N/s", kForceRate, false, &DeviceSettings::max_force_rate_n_per_s},
+     {"force_noise_n", "N", kForceNoise, false, &DeviceSettings::force_noise_n},
      {"force_resolution_n", "N", kForceResolution, false, &DeviceSettings::force_resolution_n},
      {"delay_ticks", "ticks", kDelay, false, &DeviceSettings::delay_ticks},
      {"amplifier_time_constant_s", "s", kTimeConstant, false,

@@ -45,7 +45,7 @@ class TurnoverWithinTicks {
   static constexpr int kHalvings = 40;
 
   explicit TurnoverWithinTicks(const Scene& scene)
-      : scene_(scene), output_(scene.x().device), path_(path_of(scene)) {
+      : scene_(scene), output_(scene), path_(path_of(scene)) {
     std::visit([&](auto& plant) { state_ = plant.hand_over(0); }, start_plant());
   }
 

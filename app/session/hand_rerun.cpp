@@ -159,7 +159,7 @@ class Rerun {
   void apply_changes(std::uint64_t tick) {
     while (change_ < loaded_.changes.size() && loaded_.changes[change_].tick <= tick) {
       Scene changed = loaded_.changes[change_++].scene;
-      changed.sampling = scene_.sampling;
+      changed.sampling = changed.sampling.with_clock_of(scene_.sampling);
       servo_.apply(servo_settings(changed));
       if (same_plant(changed, scene_)) continue;
       auto plant = std::make_unique<PlantModel>(changed);

@@ -7,8 +7,8 @@
 namespace hapticwall::session {
 
 bool same_parameters(const Scene& a, const Scene& b) {
-  return a.axes == b.axes && a.algorithm == b.algorithm && a.estimator == b.estimator &&
-         a.simulator == b.simulator;
+  return a.sampling == b.sampling && a.axes == b.axes && a.algorithm == b.algorithm &&
+         a.estimator == b.estimator && a.simulator == b.simulator;
 }
 
 namespace {
@@ -41,6 +41,7 @@ std::optional<SceneProblem> needs_new_session(const Scene& running, const Scene&
   if (wanted.sampling.rate_hz != running.sampling.rate_hz) {
     return SceneProblem{"sampling.rate_hz", kNewSession};
   }
+  if (!wanted.sampling.same_clock(running.sampling)) return SceneProblem{"sampling", kNewSession};
   if (wanted.axes.size() != running.axes.size()) return SceneProblem{"device.y", kNewSession};
   for (std::size_t i = 0; i < wanted.axes.size(); ++i) {
     if (auto problem = axis_needs_new_session(running.axes[i], wanted.axes[i], i)) {

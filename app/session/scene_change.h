@@ -1,5 +1,5 @@
-// Changes of a scene during a session: device, hand, walls, algorithm, estimator and simulator.
-// Rate, hand path, presence of a hand and start need a new session.
+// Changes of a scene during a session: device, hand, walls, algorithm, estimator, skipped ticks and
+// simulator. Rate, jitter, seed, hand path, presence of a hand and start need a new session.
 #pragma once
 
 #include <optional>

@@ -25,6 +25,16 @@ void ExactPlant<Body, kFriction>::advance(Real force_n) {
 }
 
 template <typename Body, bool kFriction>
+void ExactPlant<Body, kFriction>::advance_for(Real force_n, double periods) {
+  if (this->gave_up()) return;
+  pieces_ = 0;
+  this->pass_pieces(periods, [&](double fraction) {
+    motion_.path = path_.straight();
+    advance_piece(force_n, fraction * period_s_, 0);
+  });
+}
+
+template <typename Body, bool kFriction>
 void ExactPlant<Body, kFriction>::advance_piece(Real force_n, Real duration_s, int first_level) {
   // Small displacements must not drown in a large position: the origin moves to the handle.
   const Real origin_m = motion_.body.position_m;

@@ -86,6 +86,8 @@ class ExactPlant : public MovingPlant<typename Body::State, typename Body::Numbe
   // Advances to the next tick under the held actuator force. A fast rate of the body and friction
   // may need more than kMaxPieces pieces: then the plant gives up.
   void advance(Real force_n);
+  // The same for a tick of this many nominal periods, greater than 0. The path allows any period.
+  void advance_for(Real force_n, double periods);
 
  private:
   [[nodiscard]] Load<Real> load(const Motion& motion, Real force_n) const {

@@ -83,7 +83,22 @@ void HandPath::set_piece() {
   now_.velocity_m_per_s = segment_.velocity_m_per_s;
   now_.segment_begin_tick = segment_.begin_tick;
   now_.segment_position_m = segment_.position_m;
-  now_.straight_until_tick = bends_ ? 0 : straight_until();
+  now_.straight_until_tick = bends_ || any_period_ ? 0 : straight_until();
+}
+
+void HandPath::allow_any_period() {
+  any_period_ = true;
+  now_.straight_until_tick = 0;
+}
+
+void HandPath::pass(double fraction) {
+  if (piece_begin_ + fraction >= piece_end_) {
+    if (!next_piece()) next_tick();
+    return;
+  }
+  piece_begin_ += fraction;
+  if (lead_ == Lead::kScript) return set_piece();
+  now_.position_m += now_.velocity_m_per_s * (fraction * now_.period_s);
 }
 
 bool HandPath::next_piece() {

@@ -43,6 +43,8 @@ class HandPath {
   HandPath(SharedPath path, double rate_hz);
 
   // Realtime-safe: yes, all that follows.
+  // From now on ticks need not have the nominal period: pass() moves along, and goes_on() is false.
+  void allow_any_period();
   // Back to the start of the script, which leads again.
   void reset();
   // Intended position at the present instant, and its speed until remaining_in_piece() is over.
@@ -54,6 +56,9 @@ class HandPath {
   [[nodiscard]] double piece_fraction() const { return piece_end_ - piece_begin_; }
   // Advances to the next piece of the same tick; false at the end of the tick.
   bool next_piece();
+  // Moves on by a part of the present piece, or to the piece or nominal tick after it. `fraction`:
+  // of a nominal period, greater than 0 and at most piece_fraction().
+  void pass(double fraction);
   // Advances to the next tick.
   void next_tick() {
     if (now_.goes_on()) {
@@ -101,6 +106,7 @@ class HandPath {
   double piece_begin_ = 0.0;
   double piece_end_ = 1.0;
   bool bends_ = false;
+  bool any_period_ = false;
   Lead lead_ = Lead::kScript;
   double pointer_m_ = 0.0;
   double next_position_m_ = 0.0;  // at the end of the tick, if the script does not lead

@@ -2,6 +2,7 @@
 // plant to the next during motion.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -122,6 +123,16 @@ class MovingPlant {
       body.hand_velocity_m_per_s = state.hand_velocity_m_per_s;
     }
     if constexpr (requires { body.actuator_n; }) body.actuator_n = state.actuator_n;
+  }
+  // Calls pass(fraction) for the straight pieces of a tick of this many nominal periods.
+  template <typename Pass>
+  void pass_pieces(double periods, const Pass& pass) {
+    while (periods > 0.0) {
+      const double fraction = std::min(periods, path_.piece_fraction());
+      pass(fraction);
+      path_.pass(fraction);
+      periods -= fraction;
+    }
   }
   // A change of mass changes the kinetic energy of a moving handle; the ledger charges the hand.
   void charge_hand_with(Real energy_j) { motion_.energy.hand_work_j += energy_j; }

@@ -40,10 +40,11 @@ PlantVariant widened(ExactPlantVariant<double> exact) {
 }  // namespace
 
 HandPath hand_path(const Scene& scene) {
-  if (!scene.x().hand || scene.x().hand->path.empty()) {
-    return {scene.x().device.start_m, scene.sampling.rate_hz};
-  }
-  return {scene.x().hand->path, scene.sampling.rate_hz};
+  const bool led = scene.x().hand && !scene.x().hand->path.empty();
+  HandPath path = led ? HandPath(scene.x().hand->path, scene.sampling.rate_hz)
+                      : HandPath(scene.x().device.start_m, scene.sampling.rate_hz);
+  if (scene.sampling.jitter.value_or(0.0) > 0.0) path.allow_any_period();
+  return path;
 }
 
 PlantParameters plant_parameters(const Scene& scene) {
@@ -52,6 +53,8 @@ PlantParameters plant_parameters(const Scene& scene) {
   parameters.mass_kg = device.mass_kg;
   parameters.damping_n_s_per_m = device.damping_n_s_per_m;
   parameters.friction_n = device.friction_n.value_or(0.0);
+  parameters.static_friction_n = device.static_friction_n.value_or(0.0);
+  parameters.stribeck_speed_m_per_s = device.stribeck_speed_m_per_s.value_or(0.0);
   parameters.time_constant_s = device.amplifier_time_constant_s.value_or(0.0);
   if (!scene.x().hand) return parameters;
   const HandSettings& hand = *scene.x().hand;
@@ -86,8 +89,9 @@ ReferencePlantVariant make_reference_plant(const Scene& scene) {
 
 PlantModel::PlantModel(const Scene& scene)
     : plant_(make_plant(scene)),
-      output_(scene.x().device),
-      encoder_m_(scene.x().device.encoder_m.value_or(0.0)) {
+      output_(scene),
+      encoder_m_(scene.x().device.encoder_m.value_or(0.0)),
+      variation_(scene) {
   refresh();
 }
 
@@ -97,12 +101,14 @@ bool PlantModel::has_diverged() const {
 
 void PlantModel::advance(double force_n) {
   const double passed_n = output_.pass(force_n);
-  std::visit([&](auto& plant) { plant.advance(passed_n); }, plant_);
+  std::visit([&](auto& plant) { advance_plant(plant, variation_, tick_, passed_n); }, plant_);
+  ++tick_;
   refresh();
 }
 
 void PlantModel::reset() {
   output_.reset();
+  tick_ = 0;
   std::visit([](auto& plant) { plant.reset(); }, plant_);
   refresh();
 }
@@ -125,6 +131,7 @@ void PlantModel::take_over(PlantModel& other) {
       },
       other.plant_);
   output_.take_over(other.output_, other.output_.last_n());
+  tick_ = other.tick_;
   refresh();
 }
 

@@ -7,6 +7,7 @@
 #include "core/plant/exact_plant.h"
 #include "core/plant/linear_body.h"
 #include "core/plant/output_stage.h"
+#include "core/plant/plant_variation.h"
 #include "core/plant/stepped_plant.h"
 #include "core/sample.h"
 #include "core/scene.h"
@@ -54,9 +55,10 @@ class PlantModel {
   // Axis x of a validated scene. Realtime-safe: no (a matrix exponential).
   explicit PlantModel(const Scene& scene);
 
-  // Position as the encoder measures it.
+  // Position as the sensor measures it, with its noise.
   [[nodiscard]] double measured_position_m() const {
-    return encoder_m_ > 0.0 ? quantise(truth_.position_m, encoder_m_) : truth_.position_m;
+    const double position_m = variation_.measured_m(truth_.position_m, tick_);
+    return encoder_m_ > 0.0 ? quantise(position_m, encoder_m_) : position_m;
   }
   // The state at the present tick.
   [[nodiscard]] const PlantTruth& truth() const { return truth_; }
@@ -82,6 +84,8 @@ class PlantModel {
   PlantVariant plant_;
   OutputStage output_;
   double encoder_m_;
+  PlantVariation variation_;
+  std::uint64_t tick_ = 0;
   PlantTruth truth_;
 };
 

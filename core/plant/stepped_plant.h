@@ -53,8 +53,8 @@ struct SteppedMechanics {
 };
 
 // v += h a(x, v), then x += h v; an amplifier's force first. Friction is an impulse that can stop
-// the handle but not reverse it. Energies are sums over substeps with the new velocity, as accurate
-// as the method.
+// the handle but not reverse it, by the speed at the start of the substep. Energies are sums over
+// substeps with the new velocity, as accurate as the method.
 struct SemiImplicitEuler {
   static void step(const SteppedMechanics& m, SteppedState& y, EnergyTotals& energy, double force_n,
                    const HandDrive& drive, double h) {
@@ -62,9 +62,10 @@ struct SemiImplicitEuler {
     double hand_acceleration = 0.0;
     if (m.p.grip) hand_acceleration = m.hand_acceleration(y, drive);
     if (m.p.has_lag()) y.actuator_n += h * (force_n - y.actuator_n) / m.p.time_constant_s;
+    const double friction_n = m.p.friction_at_n(y.velocity_m_per_s);
     double v = y.velocity_m_per_s + h * m.net_force_n(y, force_n, drive) / m.p.mass_kg;
     if (m.p.has_friction()) {
-      const double stopping = h * m.p.friction_n / m.p.mass_kg;
+      const double stopping = h * friction_n / m.p.mass_kg;
       v = std::abs(v) <= stopping ? 0.0 : v - std::copysign(stopping, v);
     }
     const double dx = h * v;
@@ -76,7 +77,7 @@ struct SemiImplicitEuler {
     }
     energy.actuator_work_j += m.actuator_n(y, force_n) * dx;
     energy.viscous_j += m.p.damping_n_s_per_m * v * dx;
-    energy.friction_j += m.p.friction_n * std::abs(dx);
+    energy.friction_j += friction_n * std::abs(dx);
     energy.hand_work_j += hand_force_n * dx;
   }
 };
@@ -86,9 +87,9 @@ struct SemiImplicitEuler {
 struct RungeKutta4 {
   using State = SteppedState;
 
-  // Rates of x, v (handle), y, w (hand) and the actuator's force, then three powers in watts.
+  // Rates of x, v (handle), y, w (hand) and the actuator's force, then four powers in watts.
   struct Rate {
-    double x, v, y, w, actuator, work, viscous, hand;
+    double x, v, y, w, actuator, work, viscous, hand, friction;
   };
 
   // Rates in the state `s`. With friction a direction() of 0 holds the handle.
@@ -102,7 +103,9 @@ struct RungeKutta4 {
     r.viscous = m.p.damping_n_s_per_m * v * v;
     r.hand = m.hand_force_n(s, drive) * v;
     if (!sticks) {
-      r.v = (m.net_force_n(s, force_n, drive) - direction * m.p.friction_n) / m.p.mass_kg;
+      const double friction_n = direction * m.p.friction_at_n(v);
+      r.v = (m.net_force_n(s, force_n, drive) - friction_n) / m.p.mass_kg;
+      r.friction = friction_n * v;
     }
     if (m.p.grip) {
       r.y = s.hand_velocity_m_per_s;
@@ -130,7 +133,7 @@ struct RungeKutta4 {
     if (!m.p.has_friction()) return 0.0;
     if (y.velocity_m_per_s != 0.0) return std::copysign(1.0, y.velocity_m_per_s);
     const double net_n = m.net_force_n(y, force_n, drive);
-    return std::abs(net_n) <= m.p.friction_n ? 0.0 : std::copysign(1.0, net_n);
+    return std::abs(net_n) <= m.p.friction_at_n(0.0) ? 0.0 : std::copysign(1.0, net_n);
   }
 
   static void step(const SteppedMechanics& m, State& y, EnergyTotals& energy, double force_n,
@@ -148,12 +151,13 @@ struct RungeKutta4 {
     };
     const Rate average{mean(&Rate::x),       mean(&Rate::v),        mean(&Rate::y),
                        mean(&Rate::w),       mean(&Rate::actuator), mean(&Rate::work),
-                       mean(&Rate::viscous), mean(&Rate::hand)};
+                       mean(&Rate::viscous), mean(&Rate::hand),     mean(&Rate::friction)};
     y = moved(m, y, average, h);
     if (m.p.has_friction() && y.velocity_m_per_s * sign < 0.0) y.velocity_m_per_s = 0.0;
     energy.actuator_work_j += m.p.has_lag() ? h * average.work : force_n * h * average.x;
     energy.viscous_j += h * average.viscous;
-    energy.friction_j += m.p.friction_n * std::abs(h * average.x);
+    energy.friction_j +=
+        m.p.has_stribeck() ? h * average.friction : m.p.friction_n * std::abs(h * average.x);
     energy.hand_work_j += h * average.hand;
   }
 };
@@ -230,6 +234,12 @@ class SteppedPlant : public MovingPlant<SteppedState, double> {
            path_.piece_fraction() * period_s_);
     } while (path_.next_piece());
     path_.next_tick();
+  }
+  // As ExactPlant::advance_for(). Each piece has all substeps.
+  void advance_for(double force_n, double periods) {
+    this->pass_pieces(periods, [&](double fraction) {
+      pass(motion_, force_n, {path_.position_m(), path_.velocity_m_per_s()}, fraction * period_s_);
+    });
   }
 
  private:

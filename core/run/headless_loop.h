@@ -12,6 +12,7 @@
 #include "core/encoder.h"
 #include "core/plant/output_stage.h"
 #include "core/plant/plant_model.h"
+#include "core/plant/plant_variation.h"
 #include "core/run/metrics.h"
 #include "core/tick/servo.h"
 
@@ -31,6 +32,7 @@ struct HeadlessRun {
   bool shows_signals = false;
   Servo servo;
   OutputStage output;
+  PlantVariation variation;
   TickMetrics metrics;
   std::optional<std::uint64_t> diverged_at_tick = std::nullopt;
 };
@@ -44,16 +46,20 @@ inline constexpr int kMaxChunkPieces = 8192;
 template <typename Plant>
 class HeadlessDevice {
  public:
-  HeadlessDevice(Plant& plant, OutputStage& output, double encoder_m)
+  // Begins at this tick.
+  HeadlessDevice(Plant& plant, OutputStage& output, const PlantVariation& variation,
+                 double encoder_m, std::uint64_t tick)
       : plant_(plant),
         output_(output),
+        variation_(variation),
+        tick_(tick),
         motion_(plant.motion()),
         has_encoder_(encoder_m > 0.0),
         has_output_stage_(output.present()),
         encoder_(encoder_m) {}
 
   DeviceReading read() {
-    double position_m = true_position_m();
+    double position_m = variation_.measured_m(true_position_m(), tick_);
     if (has_encoder_) {
       position_m = encoder_.read(position_m);
     }
@@ -79,11 +85,12 @@ class HeadlessDevice {
   // Passes the time to the next tick. Ends the chunk at this tick after much work, so that a run
   // can be stopped soon.
   void pass_tick(std::uint64_t tick, std::uint64_t& end) {
+    tick_ = tick;
     if (plant_.try_tick(motion_, force_n_)) [[likely]] {
       return;
     }
     plant_.resume(motion_);
-    advance_plant(plant_, force_n_);
+    advance_out_of_line(plant_, variation_, tick - 1, force_n_);
     motion_ = plant_.motion();
     pieces_ += plant_.pieces();
     if (pieces_ > kMaxChunkPieces) [[unlikely]] {
@@ -95,12 +102,15 @@ class HeadlessDevice {
 
  private:
   // Out of line, because the loop's state must not have an address.
-  [[gnu::noinline]] static void advance_plant(Plant& plant, double force_n) {
-    plant.advance(force_n);
+  [[gnu::noinline]] static void advance_out_of_line(Plant& plant, const PlantVariation& variation,
+                                                    std::uint64_t tick, double force_n) {
+    advance_plant(plant, variation, tick, force_n);
   }
 
   Plant& plant_;
   OutputStage& output_;
+  const PlantVariation& variation_;
+  std::uint64_t tick_;
   typename Plant::Motion motion_;
   bool has_encoder_;
   bool has_output_stage_;
@@ -118,7 +128,7 @@ HAPTICWALL_ONE_FUNCTION void run_loop(HeadlessRun& run, Plant& plant, std::uint6
   FollowedAlgorithm& algorithm = run.servo.algorithm();
   ServoState state = run.servo.state();
   TickMetrics metrics = run.metrics;
-  HeadlessDevice<Plant> device(plant, run.output, settings.encoder_m);
+  HeadlessDevice<Plant> device(plant, run.output, run.variation, settings.encoder_m, state.tick);
   std::optional<std::uint64_t> diverged_at_tick;
   Sample sample;
   while (state.tick < end) {

@@ -30,8 +30,8 @@ class Simulation {
         make_plant_(make),
         run_loop_(loop),
         plant_(make(scene)),
-        run_{options.on_sample, options.signals, Servo(servo_settings(scene)),
-             OutputStage(scene.x().device), tick_metrics(scene)},
+        run_{options.on_sample,  options.signals,       Servo(servo_settings(scene)),
+             OutputStage(scene), PlantVariation(scene), tick_metrics(scene)},
         hand_rests_(hand_rests(scene, tail_begin_tick(scene.tick_count(), scene.sampling.rate_hz),
                                scene.tick_count())) {}
 
@@ -85,11 +85,12 @@ class Simulation {
   void apply(const Scene& changed) {
     const ServoSettings old = run_.servo.settings();
     Scene scene = changed;
-    scene.sampling = scene_.sampling;
+    scene.sampling = scene.sampling.with_clock_of(scene_.sampling);
     ServoSettings settings = servo_settings(scene);
     settings.transition_s = old.transition_s;
     run_.servo.apply(settings);
     if (!same_plant(scene, scene_)) change_plant(scene);
+    scene_.sampling = scene.sampling;
     scene_.x().device = scene.x().device;
     scene_.x().hand = scene.x().hand;
     scene_.simulator = scene.simulator;
@@ -108,9 +109,10 @@ class Simulation {
         },
         plant_);
     plant_ = std::move(next);
-    OutputStage output(scene.x().device);
+    OutputStage output(scene);
     output.take_over(run_.output, last_n);
     run_.output = std::move(output);
+    run_.variation = PlantVariation(scene);
   }
 
   // The loop checks the reach before each tick; this is the check after the last one.

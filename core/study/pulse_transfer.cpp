@@ -95,22 +95,36 @@ PulseTransfer transfer_of(const Motion<kStates>& motion, long double delay_ticks
   return transfer;
 }
 
-}  // namespace
-
-PulseTransfer pulse_transfer(const SampledLoop& loop) {
+// Calls take(Motion) with the motion of the loop's plant.
+template <typename Take>
+auto with_motion(const SampledLoop& loop, const Take& take) {
   PlantParameters p = loop.plant;
   if (p.grip && p.grip_stiffness_n_per_m == 0.0 && p.grip_damping_n_s_per_m == 0.0) {
     p.grip = false;  // the hand holds nothing
     p.hand_stiffness_n_per_m = p.hand_damping_n_s_per_m = 0.0;
   }
   const long double t = loop.period_s;
-  const long double delay_ticks = static_cast<long double>(loop.delay_s) / t;
   if (!p.grip) {
-    return p.has_lag() ? transfer_of(motion_of<false, true>(p, t), delay_ticks)
-                       : transfer_of(motion_of<false, false>(p, t), delay_ticks);
+    return p.has_lag() ? take(motion_of<false, true>(p, t)) : take(motion_of<false, false>(p, t));
   }
-  return p.has_lag() ? transfer_of(motion_of<true, true>(p, t), delay_ticks)
-                     : transfer_of(motion_of<true, false>(p, t), delay_ticks);
+  return p.has_lag() ? take(motion_of<true, true>(p, t)) : take(motion_of<true, false>(p, t));
+}
+
+}  // namespace
+
+PulseTransfer pulse_transfer(const SampledLoop& loop) {
+  const long double delay_ticks = static_cast<long double>(loop.delay_s) / loop.period_s;
+  return with_motion(loop, [&](const auto& motion) { return transfer_of(motion, delay_ticks); });
+}
+
+PlantStep plant_step(const SampledLoop& loop, double periods) {
+  return with_motion(loop, [&](const auto& motion) {
+    const auto step = step_of(motion, periods);
+    const auto size = step.increment.rows();
+    const Eigen::MatrixXd increment = step.increment.template cast<double>();
+    return PlantStep{increment + Eigen::MatrixXd::Identity(size, size),
+                     (step.integral * motion.input).template cast<double>()};
+  });
 }
 
 }  // namespace hapticwall

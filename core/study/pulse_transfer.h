@@ -1,6 +1,7 @@
-// The pulse transfer function of handle, hand, hold and amplifier.
+// The pulse transfer function of handle, hand, hold and amplifier, and the same as a step.
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
 #include <cstddef>
 
@@ -27,5 +28,15 @@ struct PulseTransfer {
 
 // Realtime-safe: no.
 [[nodiscard]] PulseTransfer pulse_transfer(const SampledLoop& loop);
+
+// state' = transition state + input F, in the units of PulseTransfer. The first state is the
+// position of the handle; a force pushes along x.
+struct PlantStep {
+  Eigen::MatrixXd transition;
+  Eigen::VectorXd input;
+};
+
+// A step of this many periods, without delay. Realtime-safe: no.
+[[nodiscard]] PlantStep plant_step(const SampledLoop& loop, double periods);
 
 }  // namespace hapticwall

@@ -12,10 +12,11 @@ namespace hapticwall {
 // the scene's estimator of velocity.
 struct StabilityBounds {
   // Passive for any hand: b >= K T / 2 + B (Colgate and Schenkel). 0 if B >= b. With a damper only
-  // under the backward difference.
+  // under the backward difference. T is the period of the controller's computations here and below.
   std::optional<double> passive_n_per_m;
   // All softer walls are stable with the scene's hand, delay, amplifier and linear estimator:
-  // largest_stable_stiffness(). 0: the softest walls are not.
+  // largest_stable_stiffness(). 0: the softest walls are not. With lost ticks or jitter in the mean
+  // square (mean_square_stiffness()), and the other limits of the loop are unknown.
   std::optional<double> stable_n_per_m;
   // The rule of thumb for the same, for a hand that only adds mass: K < (b + B) / (T / 2 + t_d)
   // (Gil; Hulin), under the backward difference. Too high by at most 16 % up to kMaxRuleDamping and

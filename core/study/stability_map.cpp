@@ -73,7 +73,7 @@ std::optional<SceneProblem> validate(const StabilityMap& map) {
 std::optional<Dimensionless> dimensionless(const Scene& scene, const MapAxis& axis,
                                            const MapAxis& other) {
   const std::string& path = axis.number.path;
-  const double period_s = scene.sampling.period_s();
+  const double period_s = 1.0 / scene.sampling.render_rate_hz();
   const double mass_kg = scene.x().device.mass_kg;
   if (path == "device.friction_n") {
     const double encoder_m = scene.x().device.encoder_m.value_or(0.0);
@@ -84,7 +84,8 @@ std::optional<Dimensionless> dimensionless(const Scene& scene, const MapAxis& ax
     if (count_n == 0.0 || !constant) return std::nullopt;
     return Dimensionless{"f_c/(K Δ)", 1.0 / count_n};
   }
-  if (is_one_of(other.number.path, {"device.mass_kg", "sampling.rate_hz"})) return std::nullopt;
+  if (is_one_of(other.number.path, {"device.mass_kg", "sampling.rate_hz", "sampling.render_every"}))
+    return std::nullopt;
   if (is_wall(path, "stiffness_n_per_m")) {
     return Dimensionless{"K T²/m", period_s * period_s / mass_kg};
   }

@@ -7,6 +7,8 @@ namespace hapticwall {
 ServoSettings servo_settings(const Scene& scene) {
   ServoSettings settings;
   settings.rate_hz = scene.sampling.rate_hz;
+  settings.skipped = {static_cast<std::uint64_t>(scene.sampling.render_every.value_or(1)),
+                      scene.sampling.lost_ticks.value_or(0.0), scene.sampling.seed.value_or(1)};
   settings.device_damping_n_s_per_m = scene.x().device.damping_n_s_per_m;
   settings.encoder_m = scene.x().device.encoder_m.value_or(0.0);
   if (scene.x().device.force_limit_n) settings.force_limit_n = *scene.x().device.force_limit_n;
@@ -21,9 +23,12 @@ ServoSettings servo_settings(const Scene& scene) {
 }
 
 AlgorithmContext algorithm_context(const ServoSettings& settings) {
-  return {settings.period_s(), settings.device_damping_n_s_per_m,
-          settings.encoder_m,  settings.walls,
-          &settings.algorithm, settings.force_limit_n};
+  return {1.0 / settings.render_rate_hz(),
+          settings.device_damping_n_s_per_m,
+          settings.encoder_m,
+          settings.walls,
+          &settings.algorithm,
+          settings.force_limit_n};
 }
 
 Servo::Servo(const ServoSettings& settings) : settings_(settings) {
@@ -33,10 +38,12 @@ Servo::Servo(const ServoSettings& settings) : settings_(settings) {
 
 void Servo::configure() {
   const AlgorithmContext context = algorithm_context(settings_);
-  estimator_.configure(settings_.estimator,
-                       {settings_.rate_hz, settings_.encoder_m, &settings_.estimator_settings});
+  estimator_.configure(settings_.estimator, {settings_.render_rate_hz(), settings_.encoder_m,
+                                             &settings_.estimator_settings});
   algorithm_.configure(settings_.algorithm, context);
   state_.budget_n_per_m = believed_damping(context) * settings_.rate_hz;
+  if (!settings_.skipped.any()) state_.last = {};
+  state_.last.outdated = true;
 }
 
 void Servo::apply(const ServoSettings& settings) {

@@ -13,6 +13,7 @@
 #include <limits>
 
 #include "core/algorithm/followed_algorithm.h"
+#include "core/chance.h"
 #include "core/environment/walls.h"
 #include "core/estimator/active_estimator.h"
 #include "core/sample.h"
@@ -27,9 +28,24 @@ inline constexpr double kDefaultMaxAgeS = 0.02;
 // A switch of algorithm during a run blends the force over this time.
 inline constexpr double kSwitchTransitionS = 0.05;
 
+// The ticks on which the controller does not compute, so that its force stays.
+struct SkippedTicks {
+  std::uint64_t render_every = 1;
+  double lost_share = 0.0;
+  int seed = 1;
+
+  [[nodiscard]] bool any() const { return render_every > 1 || lost_share > 0.0; }
+  [[nodiscard]] bool has(std::uint64_t tick) const {
+    return tick % render_every != 0 ||
+           (lost_share > 0.0 && Chance(seed, 0, Purpose::kLostTick).uniform(tick) < lost_share);
+  }
+  friend bool operator==(const SkippedTicks&, const SkippedTicks&) = default;
+};
+
 // The loop's part of a scene. Trivially copyable.
 struct ServoSettings {
   double rate_hz = 1000.0;
+  SkippedTicks skipped;
   double device_damping_n_s_per_m = 0.0;
   double encoder_m = 0.0;  // 0: none
   double force_limit_n =
@@ -44,6 +60,10 @@ struct ServoSettings {
   AlgorithmSettings algorithm;
 
   [[nodiscard]] double period_s() const { return 1.0 / rate_hz; }
+  // Rate of the controller's computations.
+  [[nodiscard]] double render_rate_hz() const {
+    return rate_hz / static_cast<double>(skipped.render_every);
+  }
   friend bool operator==(const ServoSettings&, const ServoSettings&) = default;
 };
 
@@ -73,6 +93,16 @@ struct SwitchTransition {
   }
 };
 
+// The last computation of a controller that skips ticks.
+struct LastComputation {
+  double displacement_m = 0.0;  // since then
+  double velocity_m_per_s = 0.0;
+  double wanted_n = 0.0;
+  bool intervened = false;
+  // The next tick computes in any case: the first one, after a change, and after a fault.
+  bool outdated = true;
+};
+
 struct ServoState {
   std::uint64_t tick = 0;
   double previous_position_m = 0.0;
@@ -80,6 +110,7 @@ struct ServoState {
   double budget_n_per_m = 0.0;  // b/T, b as the algorithm believes it
   EnergyLedger ledger;
   SwitchTransition transition;
+  LastComputation last;  // only of a loop that skips ticks
   // Share of the force that reaches the device, 0 to 1; less than 1 until the device is fully
   // armed.
   double force_gain = 1.0;
@@ -159,7 +190,7 @@ namespace detail {
 
 // The parts of a tick, in order. Realtime-safe: yes.
 [[gnu::always_inline]] inline void take_reading(const ServoSettings& settings,
-                                                const ServoState& state, ActiveEstimator& estimator,
+                                                const ServoState& state,
                                                 const DeviceReading& reading, TickOutcome& out) {
   out.tick = state.tick;
   out.stale = !(reading.age_s <= settings.maximum_age_s);
@@ -169,8 +200,45 @@ namespace detail {
   out.applied_force_n = reading.applied_force_n;
   out.position_m = out.fault ? state.previous_position_m : reading.position_m;
   out.displacement_m = state.position_known ? out.position_m - state.previous_position_m : 0.0;
-  out.velocity_m_per_s = estimator.velocity(out.position_m, out.displacement_m);
+}
+
+// Estimator, walls and algorithm: the force that the algorithm wants. `displacement_m`: since the
+// last computation.
+[[gnu::always_inline]] inline double compute_force(const ServoSettings& settings,
+                                                   const ServoState& state,
+                                                   ActiveEstimator& estimator,
+                                                   FollowedAlgorithm& algorithm,
+                                                   double displacement_m, TickOutcome& out) {
+  out.velocity_m_per_s = estimator.velocity(out.position_m, displacement_m);
   out.contact = evaluate_walls(settings.walls, out.position_m, out.velocity_m_per_s);
+  const AlgorithmInput input{
+      out.contact.force_n,       out.position_m,        displacement_m,        out.velocity_m_per_s,
+      out.contact.penetration_m, previous_force(state), out.contact.in_contact};
+  const double wanted_n = algorithm.step(input);
+  out.intervened = wanted_n != out.contact.force_n;
+  return wanted_n;
+}
+
+// compute_force(), or the force of the last computation on a tick that is skipped. A skipped tick
+// knows where the handle is, and has the velocity of the last computation.
+[[gnu::always_inline]] inline double compute_or_hold(const ServoSettings& settings,
+                                                     ServoState& state, ActiveEstimator& estimator,
+                                                     FollowedAlgorithm& algorithm,
+                                                     TickOutcome& out) {
+  LastComputation& last = state.last;
+  last.displacement_m += out.displacement_m;
+  if (!last.outdated && settings.skipped.has(state.tick)) {
+    out.velocity_m_per_s = last.velocity_m_per_s;
+    out.contact = evaluate_walls(settings.walls, out.position_m, out.velocity_m_per_s);
+    out.intervened = last.intervened;
+  } else {
+    last.wanted_n = compute_force(settings, state, estimator, algorithm, last.displacement_m, out);
+    last.displacement_m = 0.0;
+    last.velocity_m_per_s = out.velocity_m_per_s;
+    last.intervened = out.intervened;
+  }
+  last.outdated = out.stale || out.fault;
+  return last.wanted_n;
 }
 
 // Turns the algorithm's force into out.force_n: blended, armed, limited.
@@ -224,13 +292,11 @@ template <typename Device>
                                                      ServoState& state, ActiveEstimator& estimator,
                                                      FollowedAlgorithm& algorithm, Device& device) {
   TickOutcome out;
-  detail::take_reading(settings, state, estimator, device.read(), out);
-  const AlgorithmInput input{out.contact.force_n,       out.position_m,
-                             out.displacement_m,        out.velocity_m_per_s,
-                             out.contact.penetration_m, detail::previous_force(state),
-                             out.contact.in_contact};
-  const double wanted_n = algorithm.step(input);
-  out.intervened = wanted_n != out.contact.force_n;
+  detail::take_reading(settings, state, device.read(), out);
+  const double wanted_n =
+      settings.skipped.any()
+          ? detail::compute_or_hold(settings, state, estimator, algorithm, out)
+          : detail::compute_force(settings, state, estimator, algorithm, out.displacement_m, out);
   detail::make_safe(settings, state, wanted_n, out);
   device.write(out.force_n);
   detail::remember(state, out);

@@ -104,10 +104,10 @@ TEST(OutputDelay, ShiftsTheForceByExactlyItsTicks) {
 }
 
 double passed(double resolution_n, double limit_n, double command_n) {
-  DeviceSettings device;
-  device.force_resolution_n = resolution_n;
-  device.force_limit_n = limit_n;
-  OutputStage output(device);
+  Scene scene;
+  scene.x().device.force_resolution_n = resolution_n;
+  scene.x().device.force_limit_n = limit_n;
+  OutputStage output(scene);
   return output.pass(command_n);
 }
 

@@ -14,7 +14,7 @@
 #include "core/run/metrics.h"
 #include "core/run/simulate.h"
 #include "core/units.h"
-#include "paths.h"
+#include "tests/paths.h"
 
 namespace hapticwall {
 namespace {

@@ -66,6 +66,23 @@ TEST(ExtremeScenes, AreSoundUnderSemiImplicitEuler) {
 }
 TEST(ExtremeScenes, AreSoundUnderRungeKutta) { expect_sound_under(Integrator::kRungeKutta4); }
 
+TEST(ExtremeScenes, AreSoundWithUnevenPeriods) {
+  constexpr std::uint64_t kScenes = 2000;
+  for (std::uint64_t number = 0; number < kScenes; ++number) {
+    SCOPED_TRACE(number);
+    Scene scene = extreme_scene(number);
+    scene.sampling.jitter = Draw(~number).log_uniform(1e-9, 0.99);
+    try {
+      const testing::ExtremeRun run = testing::run_watched(scene);
+      EXPECT_TRUE(run.finite && run.within_limit) << testing::scene_text(scene);
+      EXPECT_TRUE(testing::ended_in_good_order(scene, run)) << testing::scene_text(scene);
+    } catch (const SimulationRefused&) {
+      continue;
+    }
+    if (HasFailure()) break;
+  }
+}
+
 // The scenes themselves: what they are said to reach they reach.
 TEST(ExtremeScenes, ReachEveryExtreme) {
   int frictions = 0;

@@ -109,6 +109,15 @@ inline void draw_device(Draw& draw, DeviceSettings& device) {
   if (draw.chance(0.3)) device.amplifier_time_constant_s = draw.zero_or(1e-9, 10.0);
 }
 
+// Parts that an ideal loop and device have not. Drawn last, so that the rest of a scene of this
+// number stays. Uneven periods are the tests' to choose: the measure of the turnover has even ones.
+inline void draw_departures(Draw& draw, Scene& scene) {
+  if (draw.chance(0.2)) scene.sampling.render_every = 1 + static_cast<int>(draw.index(1000));
+  if (draw.chance(0.2)) scene.sampling.lost_ticks = draw.zero_or(1e-6, 0.99);
+  if (draw.chance(0.2)) scene.x().device.position_noise_m = draw.zero_or(1e-15, 0.01);
+  if (draw.chance(0.2)) scene.x().device.force_noise_n = draw.zero_or(1e-12, 10.0);
+}
+
 inline void draw_walls(Draw& draw, double start_m, std::vector<WallSettings>& walls) {
   const std::size_t count = draw.index(4);
   while (walls.size() < count) {
@@ -212,6 +221,7 @@ inline Scene extreme_scene(std::uint64_t number) {
   bound_cost(scene, ticks);
   if (draw.chance(0.1)) scene.x().device.max_force_rate_n_per_s = draw.zero_or(1e-3, 1e9);
   bound_storage(scene);
+  draw_departures(draw, scene);
   return scene;
 }
 

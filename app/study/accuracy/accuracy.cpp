@@ -105,6 +105,9 @@ std::string wrong_substeps(std::string_view text) {
 }
 
 Result<Run> plan(const Scene& scene, const Choices& choices) {
+  if (scene.x().device.static_friction_n.value_or(0.0) > 0.0) {
+    return usage_error("device.static_friction_n: the reference has Coulomb friction alone");
+  }
   if (scene.tick_count() > kMaxAccuracyTicks) {
     return usage_error(
         fmt::format("it takes at most {} ticks, this scene has {}; --duration "

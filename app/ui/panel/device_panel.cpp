@@ -26,12 +26,26 @@ const std::array kRows{
     ParameterText{"friction_n", "friction",
                   "f_c, Coulomb friction: the handle sticks while |F_h - F_a| <= f_c, and slips",
                   0.14},
+    ParameterText{
+        "static_friction_n", "static friction",
+        "f_s: friction of a handle that breaks loose; with the speed it falls to f_c. Not "
+        "for the exact integrator",
+        0.2},
+    ParameterText{"stribeck_speed_m_per_s", "Stribeck speed",
+                  "v_s in f_c + (f_s - f_c)/(1 + (v/v_s)²)", 0.01},
     ParameterText{"encoder_m", "encoder",
                   "Δ, the count of the position sensor: the controller sees x = Δ round(x / Δ)",
                   0.254e-3},
+    ParameterText{
+        "position_noise_m", "position noise",
+        "standard deviation of the position sensor's noise, new in every tick, before the "
+        "encoder counts",
+        10e-6},
     ParameterText{"force_limit_n", "force limit", "F_max: the largest force of the actuator", 8.9},
     ParameterText{"max_force_rate_n_per_s", "force rate",
                   "the fastest rise of the commanded force; it falls at once", 5e3},
+    ParameterText{"force_noise_n", "force noise",
+                  "standard deviation of the amplifier's noise, new in every tick", 0.01},
     ParameterText{"force_resolution_n", "force step", "resolution of the actuator's force", 0.01},
     ParameterText{"delay_ticks", "delay",
                   "delay between command and amplifier, in ticks of length T", 1.0},

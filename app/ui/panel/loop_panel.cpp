@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "app/ui/state/changes.h"
 #include "app/ui/state/scene_state.h"
@@ -35,6 +38,52 @@ void draw_rate(const PanelContext& context) {
   Scene changed = scene;
   changed.sampling.rate_hz = *rate_hz;
   context.scene.wanted = WantedScene{std::move(changed)};
+}
+
+constexpr double kUsualSeed = 1.0;
+const std::array kSkippedRows{
+    ParameterText{"render_every", "compute every",
+                  "the controller computes on every n-th tick, with n times the period; the device "
+                  "holds its force until then",
+                  2.0},
+    ParameterText{"lost_ticks", "lost ticks",
+                  "share of ticks, at random, on which the controller does not compute and the "
+                  "device holds its force; the controller does not know",
+                  0.01}};
+const std::array kClockRows{
+    ParameterText{
+        "jitter", "jitter",
+        "periods are independent and uniform within 1 ± jitter of the nominal period; the "
+        "controller does not know. Starts a new session",
+        0.2},
+    ParameterText{"seed", "seed",
+                  "of lost ticks, jitter and noise; 1 without. Starts a new session", kUsualSeed}};
+
+// The row of a key of [sampling] and its edit in a copy of the scene.
+std::optional<Scene> draw_sampling_row(const PanelContext& context, const ParameterText& text) {
+  const auto& key = key_called<SamplingSettings>(text.key);
+  const ParameterRow row = parameter_row("sampling.", key, text, context.session.scene().sampling,
+                                         context.scene.loaded.sampling);
+  const auto edit = draw_parameter_row(context, row);
+  if (!edit) return std::nullopt;
+  Scene changed = context.session.scene();
+  assign(key, changed.sampling, edit->value);
+  return changed;
+}
+
+// What a real loop does beside the ideal one.
+void draw_departures(const PanelContext& context, bool simulated) {
+  for (const ParameterText& text : kSkippedRows) {
+    const auto changed = draw_sampling_row(context, text);
+    if (!changed) continue;
+    change_parameters(context, "sampling." + text.key,
+                      [&](Scene& scene) { scene.sampling = changed->sampling; });
+  }
+  if (!simulated) return;
+  for (const ParameterText& text : kClockRows) {
+    if (auto changed = draw_sampling_row(context, text))
+      context.scene.wanted = WantedScene{std::move(*changed)};
+  }
 }
 
 void set_simulator(const PanelContext& context, const SimulatorSettings& simulator) {
@@ -119,7 +168,7 @@ void draw_estimator_parameters(const PanelContext& context) {
 void draw_estimator_numbers(const PanelContext& context) {
   const Scene& scene = context.session.scene();
   const Estimator& estimator = estimators()[scene.estimator.index];
-  const EstimatorContext settings{scene.sampling.rate_hz,
+  const EstimatorContext settings{scene.sampling.render_rate_hz(),
                                   shown_device(context).encoder_m.value_or(0.0), &scene.estimator};
   if (estimator.numbers != nullptr) {
     for (const DerivedNumber& number : estimator.numbers(settings)) {
@@ -130,10 +179,9 @@ void draw_estimator_numbers(const PanelContext& context) {
   }
   const auto transfer = velocity_transfer(settings);
   figure_row(context, "delay of velocity",
-             transfer
-                 ? fmt::format("{:.2f} ms", transfer->delay_ticks() * scene.sampling.period_s() *
-                                                kMillisecondsPerSecond)
-                 : "by the motion",
+             transfer ? fmt::format("{:.2f} ms", transfer->delay_ticks() / settings.rate_hz *
+                                                     kMillisecondsPerSecond)
+                      : "by the motion",
              draw::Tone::kText,
              "Age of the velocity in a slow motion. The backward difference has half a tick. A "
              "nonlinear estimator has another delay in each motion.");
@@ -181,6 +229,7 @@ void draw_loop_section(const PanelContext& context) {
     draw_integrator(context);
     draw_substeps(context);
   }
+  draw_departures(context, simulated);
   draw_estimator_choice(context);
   draw_estimator_parameters(context);
   draw_estimator_numbers(context);

@@ -22,7 +22,7 @@ Values values_of(const Scene& scene) {
   visit_scene_numbers(
       scene,
       [&](const NumberPath& path, const auto& key, const auto& owner) {
-        for (const std::string_view other : {"", "sampling.", "algorithm."}) {
+        for (const std::string_view other : {"", "algorithm."}) {
           if (path.table == other) return;
         }
         values.emplace_back(path.text(), shown_value(key.get(owner)));
@@ -87,6 +87,7 @@ Scene with_loaded_values(const Scene& running, const Scene& loaded) {
   if (loaded.x().walls.size() == running.x().walls.size()) scene.x().walls = loaded.x().walls;
   scene.algorithm.values = loaded.algorithm.values;
   scene.estimator = loaded.estimator;
+  scene.sampling = loaded.sampling.with_clock_of(running.sampling);
   scene.simulator = loaded.simulator;
   return scene;
 }

@@ -55,7 +55,7 @@ AskedFor asked_for(const PanelContext& context) {
   AskedFor differs;
   differs.algorithm = asked.algorithm != in_force.algorithm;
   differs.estimator = asked.estimator != in_force.estimator;
-  differs.simulator = asked.simulator != in_force.simulator;
+  differs.simulator = asked.simulator != in_force.simulator || asked.sampling != in_force.sampling;
   for (std::size_t i = 0; i < std::min(asked.axes.size(), in_force.axes.size()); ++i) {
     differs.walls = differs.walls || asked.axes[i].walls != in_force.axes[i].walls;
     differs.hand = differs.hand || asked.axes[i].hand != in_force.axes[i].hand;

@@ -38,6 +38,10 @@ std::string difference(const SceneStep& from_step, const SceneStep& to_step) {
     lines.push_back(fmt::format("algorithm {}", list[to.algorithm.index].name));
   if (from.sampling.rate_hz != to.sampling.rate_hz)
     lines.push_back(fmt::format("sampling rate {} Hz", number_text(to.sampling.rate_hz)));
+  if (from.sampling.jitter != to.sampling.jitter)
+    lines.push_back(fmt::format("jitter {}", shown_value(to.sampling.jitter)));
+  if (from.sampling.seed != to.sampling.seed)
+    lines.push_back(fmt::format("seed {}", shown_value(to.sampling.seed)));
   if (lines.empty()) return "the hand's script";
   return fmt::format("{}", fmt::join(lines, "\n"));
 }
@@ -46,8 +50,8 @@ std::string difference(const SceneStep& from_step, const SceneStep& to_step) {
 
 bool same_scene(const Scene& a, const Scene& b) {
   return a.name == b.name && a.description == b.description && a.duration_s == b.duration_s &&
-         a.sampling.rate_hz == b.sampling.rate_hz && a.x().device == b.x().device &&
-         a.x().hand == b.x().hand && a.simulator == b.simulator && session::same_parameters(a, b);
+         a.sampling == b.sampling && a.x().device == b.x().device && a.x().hand == b.x().hand &&
+         a.simulator == b.simulator && session::same_parameters(a, b);
 }
 
 void UndoHistory::observe(const Scene& scene, const Scene& loaded, bool dragging,

@@ -171,12 +171,15 @@ std::optional<DampingCriterion> damping_criterion(const Scene& scene) {
   const bool linear_algorithm =
       (name == "none" || name == "virtual-coupling" || name == "half-sample") &&
       !has_follower(scene.algorithm);
-  const bool linear_device = device.friction_n.value_or(0.0) == 0.0 &&
-                             device.encoder_m.value_or(0.0) == 0.0 &&
-                             device.force_resolution_n.value_or(0.0) == 0.0 &&
-                             device.amplifier_time_constant_s.value_or(0.0) == 0.0;
+  const bool linear_device =
+      device.friction_n.value_or(0.0) == 0.0 && device.static_friction_n.value_or(0.0) == 0.0 &&
+      device.encoder_m.value_or(0.0) == 0.0 && device.force_resolution_n.value_or(0.0) == 0.0 &&
+      device.amplifier_time_constant_s.value_or(0.0) == 0.0;
+  const bool ideal_loop =
+      scene.sampling.render_every.value_or(1) == 1 && !scene.sampling.at_random();
   const bool difference = chosen_estimator(scene.estimator) == nullptr;
-  if (!linear_algorithm || !linear_device || !difference || scene.x().walls.size() != 1)
+  if (!linear_algorithm || !linear_device || !ideal_loop || !difference ||
+      scene.x().walls.size() != 1)
     return std::nullopt;
   const Transfer transfer = transfer_of(scene, name);
   return DampingCriterion{

@@ -314,5 +314,63 @@ TEST(Servo, ASwitchForgetsWhatTheAlgorithmRemembered) {
   EXPECT_EQ(bench.at(1e-4).flags & kFlagIntervened, 0U);
 }
 
+ServoSettings seldom(std::uint64_t every) {
+  ServoSettings settings = stiff_wall();
+  settings.skipped.render_every = every;
+  return settings;
+}
+
+TEST(SkippedTicks, HoldTheForceAndKnowThePosition) {
+  Bench bench(seldom(3));
+  bench.at(0.1e-3);
+  const Sample held = bench.at(0.2e-3);
+  EXPECT_NEAR(bench.force_n(), 3.5, 1e-12);
+  EXPECT_EQ(held.position_m, 0.2e-3);
+  EXPECT_NEAR(held.wall_force_n, 7.0, 1e-12);
+  bench.at(0.05e-3);
+  EXPECT_NEAR(bench.force_n(), 3.5, 1e-12);
+  bench.at(0.05e-3);
+  EXPECT_NEAR(bench.force_n(), 1.75, 1e-12);
+}
+
+// The hand must not wait for the controller's next computation.
+TEST(SkippedTicks, GiveNoForceAfterAFaultAndComputeAtOnceWhenItIsOver) {
+  Bench bench(seldom(100));
+  bench.at(0.1e-3);
+  bench.at(0.1e-3);
+  bench.take({0.1e-3, 0.0, DeviceState::kFault});
+  EXPECT_EQ(bench.force_n(), 0.0);
+  bench.take({0.1e-3, 1.0, DeviceState::kOk});
+  EXPECT_EQ(bench.force_n(), 0.0) << "a stale position";
+  bench.at(0.02e-3);
+  EXPECT_NEAR(bench.force_n(), 0.7, 1e-12);
+}
+
+// The switch of an algorithm starts from the force that acts, also between two computations.
+TEST(SkippedTicks, AChangeOfParametersGivesNoKick) {
+  Bench bench(seldom(100));
+  bench.at(0.1e-3);
+  bench.at(0.1e-3);
+  ServoSettings settings = seldom(100);
+  settings.algorithm.index = *find_algorithm("energy-bounding");
+  bench.servo.apply(settings);
+  double last_n = bench.force_n();
+  for (int tick = 0; tick < 60; ++tick) {
+    bench.at(0.1e-3);
+    EXPECT_NEAR(bench.force_n(), last_n, 0.2) << tick;
+    last_n = bench.force_n();
+  }
+}
+
+TEST(SkippedTicks, TheAlgorithmSeesTheWholeDisplacement) {
+  ServoSettings settings = seldom(4);
+  settings.algorithm.index = *find_algorithm("energy-bounding");
+  Bench bench(settings);
+  bench.at(0.0);
+  for (int tick = 1; tick <= 4; ++tick) bench.at(tick * 1e-6);
+  // b times 4 µm in 4 ms, of the 0.14 N of the wall.
+  EXPECT_NEAR(bench.force_n(), 1e-3, 1e-12);
+}
+
 }  // namespace
 }  // namespace hapticwall

@@ -38,6 +38,30 @@ TEST(ServoLoopPlant, PlantChangesInMotionAreThoseOfAHeadlessRun) {
   }
 }
 
+// Lost ticks, uneven periods and noise go on through changes, live as in a headless run.
+TEST(ServoLoopPlant, ALoopThatIsNotIdealIsThatOfAHeadlessRun) {
+  Scene scene = moving_scene();
+  scene.sampling.lost_ticks = 0.2;
+  scene.sampling.jitter = 0.4;
+  scene.sampling.seed = 5;
+  scene.x().device.position_noise_m = 20e-6;
+  scene.x().device.force_noise_n = 0.1;
+  Harness harness(scene);
+  std::vector<ScheduledChange> changes;
+  Scene changed = harness.scene;
+  for (int i = 1; i <= 6; ++i) {
+    harness.cycles(101);
+    changed.sampling.render_every = i % 3 + 1;
+    changed.sampling.lost_ticks = 0.1 * (i % 2);
+    if (i % 2 == 0) changed.x().device.mass_kg = 0.05 * i;
+    changed.x().device.force_noise_n = i == 3 ? 0.0 : 0.1 * i;
+    harness.publish(changed);
+    changes.push_back({101 * static_cast<std::uint64_t>(i), changed});
+  }
+  harness.cycles(300);
+  expect_same(harness.samples(), headless(harness.scene, 906, changes));
+}
+
 // A change and back again between two ticks is no change, in a live session as in a headless run.
 TEST(ServoLoopPlant, APlantThatTheLoopNeverSawLeavesNoTrace) {
   Harness harness(moving_scene());
