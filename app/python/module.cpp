@@ -13,6 +13,7 @@
 #include "app/python/results.h"
 #include "app/python/runs.h"
 #include "app/python/scene.h"
+#include "app/python/session.h"
 #include "core/algorithm/algorithm.h"
 #include "core/algorithm/plugin/plugin_list.h"
 
@@ -116,6 +117,7 @@ NB_MODULE(_core, m) {
   bind_scene(m);
   bind_rows(m);
   bind_laws(m);
+  bind_session(m);
   m.def("run", &run);
   m.def("batch", [](const std::vector<SceneBox>& scenes) { return dicts_of(run_batch(scenes)); });
   m.def("compare", [](const SceneBox& scene, const std::vector<std::size_t>& algorithms) {

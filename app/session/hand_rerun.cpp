@@ -15,7 +15,7 @@
 #include "core/algorithm/algorithm.h"
 #include "core/result.h"
 #include "core/run/metrics.h"
-#include "core/tick/servo.h"
+#include "core/run/stepped_axis.h"
 
 namespace hapticwall::session {
 namespace {
@@ -35,18 +35,6 @@ Failure check_overrides(const Scene& recorded, const Scene& wanted) {
   }
   return {};
 }
-
-// The servo's device: one write() is one tick.
-struct RerunDevice {
-  PlantModel* plant = nullptr;
-  double force_n = 0.0;
-
-  [[nodiscard]] DeviceReading read() const {
-    return {plant->measured_position_m(), 0.0, DeviceState::kOk};
-  }
-  void write(double newtons) { force_n = newtons; }
-  [[nodiscard]] const PlantTruth* truth() const { return &plant->truth(); }
-};
 
 // Compares what a simulator records, except hand_force_n (see hand_rerun.h).
 bool same_numbers(const Sample& a, const Sample& b) {
@@ -102,17 +90,15 @@ class Rerun {
         options_(options),
         rows_(recording),
         end_tick_(recording_.scanned.last_tick + 1),
-        scene_(loaded.scene),
-        servo_(servo_settings(loaded.scene)),
-        plant_(std::make_unique<PlantModel>(loaded.scene)),
+        axis_(loaded.scene),
         hand_(loaded.scene, recording_.scanned.first_tick, std::move(positions_m)),
         metrics_(loaded.scene, end_tick_, SampleOrigin::kSimulator) {}
 
   Result<RerunOutcome> run() {
-    while (servo_.state().tick < end_tick_ && pass_tick()) {
+    while (axis_.tick() < end_tick_ && pass_tick()) {
     }
     // The tick after the last row, as a headless run checks it.
-    if (servo_.state().tick == end_tick_ && plant_->has_diverged()) metrics_.diverge(end_tick_);
+    if (axis_.tick() == end_tick_ && axis_.diverged()) metrics_.diverge(end_tick_);
     if (rows_.failure()) return *rows_.failure();
     outcome_.summary = metrics_.finish();
     outcome_.ticks = outcome_.summary.ticks;
@@ -122,24 +108,22 @@ class Rerun {
 
  private:
   bool pass_tick() {
-    const std::uint64_t tick = servo_.state().tick;
+    const std::uint64_t tick = axis_.tick();
     if (tick % kTicksPerQuestion == 0 && options_.keep_going &&
         !options_.keep_going(static_cast<double>(tick) / static_cast<double>(end_tick_))) {
       outcome_.stopped_early = true;
       return false;
     }
     apply_changes(tick);
-    RerunDevice device{plant_.get()};
-    const bool in_reach = !plant_->has_diverged();
-    const Sample sample = in_reach ? servo_.tick(device) : Sample{};
-    if (!in_reach || servo_.state().failed) {
+    const Sample* sample = axis_.compute();
+    if (sample == nullptr) {
       metrics_.diverge(tick);
       return false;
     }
-    metrics_.add(sample);
-    if (tick >= recording_.scanned.first_tick && !tell(sample)) return false;
-    hand_.lead(*plant_);
-    plant_->advance(device.force_n);
+    metrics_.add(*sample);
+    if (tick >= recording_.scanned.first_tick && !tell(*sample)) return false;
+    hand_.lead(axis_.plant());
+    axis_.advance();
     return true;
   }
 
@@ -155,18 +139,9 @@ class Rerun {
     return true;
   }
 
-  // Applies changes as a live session does: the new plant takes over the state.
   void apply_changes(std::uint64_t tick) {
-    while (change_ < loaded_.changes.size() && loaded_.changes[change_].tick <= tick) {
-      Scene changed = loaded_.changes[change_++].scene;
-      changed.sampling = changed.sampling.with_clock_of(scene_.sampling);
-      servo_.apply(servo_settings(changed));
-      if (same_plant(changed, scene_)) continue;
-      auto plant = std::make_unique<PlantModel>(changed);
-      plant->take_over(*plant_);
-      plant_ = std::move(plant);
-      scene_ = std::move(changed);
-    }
+    while (change_ < loaded_.changes.size() && loaded_.changes[change_].tick <= tick)
+      axis_.change(loaded_.changes[change_++].scene);
   }
 
   const file::RecordingInfo& recording_;
@@ -174,9 +149,7 @@ class Rerun {
   const RerunOptions& options_;
   RowStream rows_;
   std::uint64_t end_tick_;
-  Scene scene_;  // the plant's
-  Servo servo_;
-  std::unique_ptr<PlantModel> plant_;
+  SteppedAxis axis_;
   RecordedHand hand_;
   Metrics metrics_;
   std::size_t change_ = 0;

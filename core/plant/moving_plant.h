@@ -76,6 +76,18 @@ class MovingPlant {
     path_.resume(motion.path);
   }
 
+  // A force of the hand that is held through a tick acts as an opposite part of the command: the
+  // caller takes it from the command of every tick. This is its change, newtons. What an amplifier
+  // lags behind is the command alone.
+  void push([[maybe_unused]] Real change_n) {
+    if constexpr (requires(State & body) { body.actuator_n; }) motion_.body.actuator_n -= change_n;
+  }
+  // Counts that part of the last tick as work of the hand.
+  void credit_push(Real work_j) {
+    motion_.energy.actuator_work_j += work_j;
+    motion_.energy.hand_work_j += work_j;
+  }
+
  protected:
   MovingPlant(HandPath path, double period_s, double start_m)
       : path_(std::move(path)), period_s_(period_s), start_m_(start_m) {}

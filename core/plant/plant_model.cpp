@@ -101,14 +101,28 @@ bool PlantModel::has_diverged() const {
 
 void PlantModel::advance(double force_n) {
   const double passed_n = output_.pass(force_n);
-  std::visit([&](auto& plant) { advance_plant(plant, variation_, tick_, passed_n); }, plant_);
+  std::visit(
+      [&](auto& plant) {
+        const auto from_m = plant.position_m();
+        advance_plant(plant, variation_, tick_, passed_n - pushed_n_);
+        if (pushed_n_ != 0.0) plant.credit_push(pushed_n_ * (plant.position_m() - from_m));
+      },
+      plant_);
   ++tick_;
+  refresh();
+}
+
+void PlantModel::push_hand(double force_n) {
+  if (force_n == pushed_n_) return;
+  std::visit([&](auto& plant) { plant.push(force_n - pushed_n_); }, plant_);
+  pushed_n_ = force_n;
   refresh();
 }
 
 void PlantModel::reset() {
   output_.reset();
   tick_ = 0;
+  pushed_n_ = 0.0;
   std::visit([](auto& plant) { plant.reset(); }, plant_);
   refresh();
 }
@@ -124,6 +138,8 @@ void PlantModel::release_hand() {
 }
 
 void PlantModel::take_over(PlantModel& other) {
+  const double pushed_n = other.pushed_n_;
+  other.push_hand(0.0);
   std::visit(
       [&](auto& old) {
         const auto state = old.hand_over(other.output_.last_n());
@@ -132,11 +148,13 @@ void PlantModel::take_over(PlantModel& other) {
       other.plant_);
   output_.take_over(other.output_, other.output_.last_n());
   tick_ = other.tick_;
+  push_hand(pushed_n);
   refresh();
 }
 
 void PlantModel::refresh() {
   std::visit([&](auto& plant) { plant.write_truth(plant.motion(), truth_); }, plant_);
+  truth_.hand_force_n += pushed_n_;
 }
 
 }  // namespace hapticwall

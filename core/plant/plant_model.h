@@ -68,6 +68,9 @@ class PlantModel {
 
   // Advances to the next tick under a held command (newtons, finite).
   void advance(double force_n);
+  // A force of the hand on the handle beside that of its spring, newtons, finite; held from the
+  // present tick on. The motion stays exact.
+  void push_hand(double force_n);
   // Back to the start of the scene, at rest.
   void reset();
   // See HandPath::lead_to() and release(): they act from the present tick on.
@@ -86,6 +89,7 @@ class PlantModel {
   double encoder_m_;
   PlantVariation variation_;
   std::uint64_t tick_ = 0;
+  double pushed_n_ = 0.0;
   PlantTruth truth_;
 };
 

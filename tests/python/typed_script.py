@@ -13,3 +13,8 @@ grid = hw.map(scene, x=("wall.stiffness_n_per_m", np.geomspace(300, 1e5, 3)), y=
 share: float = float(grid.settled.mean())
 mine: hw.Algorithm = hw.algorithm(lambda state, tick: 0.0, name="mine")
 names: list[str] = [row["algorithm"] for row in hw.compare(scene, ["none", mine])]
+with hw.Session(scene, mine) as session:
+    sample: hw.Sample = session.step(hand_force_n=0.5)
+    session.set("wall.stiffness_n_per_m", 1e3)
+    depth: float = sample.penetration_m + session.position_m
+    ended: bool = session.diverged or session.summary["verdict"] == "diverged"

@@ -6,6 +6,7 @@ SI units throughout. docs/python.md shows every function at work.
 from hapticwall._law import Algorithm, Context, Input, LawError, Parameter, Wall, algorithm, algorithms
 from hapticwall._run import Recording, Run, batch, compare, read, rerun, run
 from hapticwall._scene import Scene, Value, load
+from hapticwall._session import Sample, Session
 from hapticwall._study import Map, map  # noqa: A004
 
 __all__ = [
@@ -17,7 +18,9 @@ __all__ = [
     "Parameter",
     "Recording",
     "Run",
+    "Sample",
     "Scene",
+    "Session",
     "Value",
     "Wall",
     "algorithm",
