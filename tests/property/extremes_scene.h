@@ -220,8 +220,8 @@ inline Scene extreme_scene(std::uint64_t number) {
   draw_algorithm(draw, scene.algorithm);
   bound_cost(scene, ticks);
   if (draw.chance(0.1)) scene.x().device.max_force_rate_n_per_s = draw.zero_or(1e-3, 1e9);
-  bound_storage(scene);
   draw_departures(draw, scene);
+  bound_storage(scene);
   return scene;
 }
 

@@ -49,8 +49,9 @@ std::string problem_of(const MapAxis& axis) {
 std::string unknown_key(std::string_view key, const Scene& scene) {
   const std::vector<SceneNumber> numbers = scene_numbers(scene);
   const auto paths = file::names_of(numbers, &SceneNumber::path);
-  return fmt::format("no number of this scene is called {}{}; known: {}", file::in_quotes(key),
-                     file::suggestion(key, paths), file::joined(paths));
+  const std::string nearest = file::suggestion(key, paths);
+  return fmt::format("no number of this scene is called {}{}", file::in_quotes(key),
+                     nearest.empty() ? fmt::format("; known: {}", file::joined(paths)) : nearest);
 }
 
 }  // namespace

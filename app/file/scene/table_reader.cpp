@@ -11,7 +11,7 @@
 namespace hapticwall::file {
 namespace {
 
-constexpr std::size_t kMaxKeysInMessage = 13;
+constexpr std::size_t kMaxKeysInMessage = 20;
 
 std::string type_name(const toml::node& node) {
   switch (node.type()) {
