@@ -292,7 +292,7 @@ std::string sidecar_read_with(const std::string& scene) {
 }
 
 Failure check_scene_files(const OutputOptions& options, const file::LoadedScene& loaded) {
-  std::vector<std::string> read = loaded.device_files;
+  std::vector<std::string> read = loaded.named_files;
   for (const AxisSettings& axis : loaded.scene.axes) {
     if (axis.hand) read.push_back(axis.hand->path.file);
   }

@@ -95,7 +95,8 @@ toml::table parse_assignment(const std::string& key, std::string_view value,
   try {
     return parse_toml(fmt::format("{} = {}", key, value), label);
   } catch (const ReadFailure&) {
-    const bool names_file = key == "device" || key == "file" || key.ends_with("path_file");
+    const bool names_file =
+        key == "device" || key == "hand" || key == "file" || key.ends_with("path_file");
     const bool is_file = names_file && value.find('\'') == std::string_view::npos;
     if (is_bare_word(value) || is_file) {
       return parse_toml(fmt::format("{} = '{}'", key, value), label);

@@ -28,6 +28,19 @@ Result<LoadedScene> load_file(const std::string& path, std::span<const std::stri
   return parse_scene(*text, path, overrides);
 }
 
+toml::table table_or_empty(const toml::table& root, std::string_view key) {
+  const toml::table* table = root[key].as_table();
+  return table != nullptr ? *table : toml::table();
+}
+
+// Puts numbers in the place of the names of a device and of hands; `device` and `hand` are the
+// tables before. Adds the files to `files`.
+void resolve_names(toml::table& root, const toml::table& device, const toml::table& hand,
+                   const std::string& origin, std::vector<std::string>& files) {
+  files.push_back(resolve_device(root, device, origin));
+  for (std::string& file : resolve_hands(root, hand, origin)) files.push_back(std::move(file));
+}
+
 std::vector<BuiltinScene> read_builtin_scenes() {
   std::vector<BuiltinScene> scenes;
   for (const EmbeddedFile& embedded : embedded_scenes()) {
@@ -85,15 +98,16 @@ Result<LoadedScene> parse_scene(std::string_view toml_text, const std::string& o
                                 std::span<const std::string> overrides) {
   try {
     toml::table root = parse_toml(toml_text, origin);
-    std::vector<std::string> device_files{resolve_device(root, {}, origin)};
+    std::vector<std::string> files;
+    resolve_names(root, {}, {}, origin, files);
     for (const std::string& text : overrides) {
-      const toml::table* device = root["device"].as_table();
-      const toml::table before = device != nullptr ? *device : toml::table();
+      const toml::table device = table_or_empty(root, "device");
+      const toml::table hand = table_or_empty(root, "hand");
       apply_override(root, text);
-      device_files.push_back(resolve_device(root, before, origin));
+      resolve_names(root, device, hand, origin, files);
     }
     LoadedScene loaded = read_scene(root, origin);
-    loaded.device_files = std::move(device_files);
+    loaded.named_files = std::move(files);
     loaded.edited = is_broken_seal(toml_text);
     return loaded;
   } catch (const ReadFailure& failure) {

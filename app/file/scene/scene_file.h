@@ -42,7 +42,7 @@ struct LoadedScene {
   std::uint64_t first_recorded_tick = 0;
   std::string not_repeatable_because;     // empty: a repetition gives the same rows
   std::string changed_plugin;             // plug-in path; empty: as recorded, or another algorithm
-  std::vector<std::string> device_files;  // files read; also built-in names and ""
+  std::vector<std::string> named_files;   // of device and hands; also built-in names and ""
   std::vector<Mark> marks;                // marks in order
   std::string csv_sha256;                 // hash of the rows; empty: not known
   bool edited = false;                    // the sidecar was changed since it was written

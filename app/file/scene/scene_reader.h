@@ -4,6 +4,7 @@
 #include <toml++/toml.h>
 
 #include <string>
+#include <vector>
 
 #include "app/file/scene/scene_file.h"
 
@@ -16,6 +17,11 @@ void apply_override(toml::table& root, const std::string& override_text);
 // they come from. `before`: the table [device] that the name replaces; it keeps its other keys.
 // Returns the name or the file's path, "" where the table names none. Throws ReadFailure.
 std::string resolve_device(toml::table& root, const toml::table& before, const std::string& origin);
+
+// The same for the hands of both axes. A hand keeps its path, and loses every other number that its
+// description omits. Returns the names or paths, "" for an axis that names none. Throws ReadFailure.
+std::vector<std::string> resolve_hands(toml::table& root, const toml::table& before,
+                                       const std::string& origin);
 
 // Reads and validates. Throws ReadFailure.
 [[nodiscard]] LoadedScene read_scene(const toml::table& root, const std::string& origin);
