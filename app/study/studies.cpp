@@ -10,6 +10,7 @@ std::span<const Study* const> studies() {
       &ranking_study(),
       &accuracy_study(),
       &worst_hand_study(),
+      &named_hands_study(),
   };
   return kStudies;
 }

@@ -10,6 +10,7 @@ namespace hapticwall::study {
 [[nodiscard]] const Study& ranking_study();
 [[nodiscard]] const Study& accuracy_study();
 [[nodiscard]] const Study& worst_hand_study();
+[[nodiscard]] const Study& named_hands_study();
 
 // All studies, in the order of the window and of --help.
 [[nodiscard]] std::span<const Study* const> studies();

@@ -106,6 +106,8 @@ void compute_studies(Person& person) {
   person.click("study column integrator");
   person.click("study worst-hand");
   EXPECT_NE(&studies.shown(), &accuracy);
+  person.click("study hands");
+  EXPECT_NE(&studies.shown(), &accuracy);
   person.click("study ranking");
   EXPECT_NE(&studies.shown(), &accuracy);
   go_to_page(person, "Plots");

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -34,6 +35,7 @@ struct CompareOptions {
   OutputOptions output;
   std::vector<std::string> algorithms;  // empty: all
   std::string sort;
+  std::string hands;  // "all" or names; empty: the scene's own hand
   bool study = false;
 };
 
@@ -140,23 +142,31 @@ Failure write_results(OutputFiles& files, const Scene& scene, const Runs& runs,
       });
 }
 
-Result<int> rank(const CompareOptions& options) {
+// Runs a study in the place of the comparison.
+Result<int> run_instead(const study::Study& study, std::string_view option,
+                        const CompareOptions& options, study::Choices choices) {
   if (!options.sort.empty()) {
-    return usage_error("--sort: not with --study; its rows keep the order of --algorithms");
+    return usage_error(
+        fmt::format("--sort: not with {}; its rows keep the order of --algorithms", option));
   }
   if (!options.output.plot.empty()) {
     return usage_error(
-        "--plot: not with --study, which draws no figure; use 'hapticwall run SCENE --plot "
-        "FILE.png'");
+        fmt::format("--plot: not with {}, which draws no figure; use 'hapticwall run SCENE --plot "
+                    "FILE.png'",
+                    option));
   }
   // Names the unknown algorithm and the known ones.
   if (const auto known = chosen_algorithms(options.algorithms); !known) return known.error();
-  return run_study(study::ranking_study(), "compare", "--study", options.scene, options.output,
-                   {{"algorithms", fmt::format("{}", fmt::join(options.algorithms, ","))}});
+  choices["algorithms"] = fmt::format("{}", fmt::join(options.algorithms, ","));
+  return run_study(study, "compare", option, options.scene, options.output, choices);
 }
 
 Result<int> compare(const CompareOptions& options) {
-  if (options.study) return rank(options);
+  const bool named_hands = !options.hands.empty();
+  if (options.study && named_hands) return usage_error("--hands: not with --study");
+  if (options.study) return run_instead(study::ranking_study(), "--study", options, {});
+  if (named_hands)
+    return run_instead(study::named_hands_study(), "--hands", options, {{"hands", options.hands}});
   const Result<std::vector<Expectation>> expectations =
       parse_expectations(options.output.expectations);
   if (!expectations) return expectations.error();
@@ -196,6 +206,8 @@ Command add_compare(CLI::App& program) {
   add_scene_options(*app, options->scene);
   add_simulator_option(*app, options->scene);
   app->add_flag("--study", options->study, std::string(study::ranking_study().help));
+  app->add_option("--hands", options->hands, std::string(study::named_hands_study().help))
+      ->type_name("all|NAME,...");
   add_csv_option(*app, options->output, "Write the table as CSV, one line per row");
   add_plot_option(*app, options->output, "Draw all runs side by side");
   app->add_option("--sort", options->sort,

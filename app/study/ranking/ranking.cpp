@@ -10,9 +10,9 @@
 #include <utility>
 
 #include "app/file/text/text.h"
+#include "app/study/algorithm_names.h"
 #include "app/study/field.h"
 #include "app/study/studies.h"
-#include "core/algorithm/algorithm.h"
 #include "core/units.h"
 
 namespace hapticwall::study::ranking {
@@ -139,24 +139,6 @@ Json conditions(const ContactStudyPlan& plan) {
           {"scan_tolerance", json_of(plan.tolerance)}};
 }
 
-// Indices in algorithms(); all without a name. Precondition: all names are known.
-std::vector<std::size_t> algorithms_of(std::string_view names) {
-  std::vector<std::size_t> indices;
-  for (std::size_t i = 0; names.empty() && i < algorithms().size(); ++i) indices.push_back(i);
-  if (names.empty()) return indices;
-  for (const std::string_view name : file::split(names, ','))
-    indices.push_back(*find_algorithm(name));
-  return indices;
-}
-
-std::string wrong_algorithms(std::string_view names) {
-  if (names.empty()) return "";
-  for (const std::string_view name : file::split(names, ',')) {
-    if (!find_algorithm(name)) return "it takes names of algorithms, separated by commas";
-  }
-  return "";
-}
-
 Result<Run> plan(const Scene& scene, const Choices& choices) {
   ContactStudyPlan plan;
   plan.scene = scene;
@@ -202,8 +184,7 @@ const Study& ranking_study() {
       .instead_of_expect =
           "not with --study, which has no summary; use 'hapticwall compare SCENE "
           "--expect EXPR'",
-      .options = {{"algorithms", "A,B,...", "These algorithms only", "",
-                   ranking::wrong_algorithms}},
+      .options = {{"algorithms", "A,B,...", "These algorithms only", "", wrong_algorithms}},
       .of_all_algorithms = true,
       .stages = {{}},
       .plan = ranking::plan};

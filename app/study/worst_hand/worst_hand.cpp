@@ -10,6 +10,7 @@
 
 #include "app/file/scene/scene_file.h"
 #include "app/file/text/text.h"
+#include "app/study/algorithm_names.h"
 #include "app/study/field.h"
 #include "app/study/studies.h"
 #include "core/algorithm/algorithm.h"
@@ -178,13 +179,6 @@ std::string scene_text(const std::vector<Row>& rows) {
   return file::scene_to_toml(scene);
 }
 
-std::string wrong_algorithms(std::string_view names) {
-  if (names.empty()) return "";
-  for (const std::string_view name : file::split(names, ',')) {
-    if (!find_algorithm(name)) return "it takes names of algorithms, separated by commas";
-  }
-  return "";
-}
 std::string wrong_hands(std::string_view text) {
   const auto hands = file::parsed<std::uint64_t>(text);
   if (hands && *hands >= 1 && *hands <= worst_hand::kMaxHands) return "";
@@ -207,10 +201,7 @@ std::string wrong_seconds(std::string_view text) {
 // The rows of a comparison; the scene's own algorithm without a name.
 std::vector<ComparedAlgorithm> rows_of(const Scene& scene, std::string_view names) {
   if (names.empty()) return {{scene.algorithm, algorithm_label(scene.algorithm)}};
-  std::vector<std::size_t> indices;
-  for (const std::string_view name : file::split(names, ','))
-    indices.push_back(*find_algorithm(name));
-  return compared_algorithms(scene.algorithm, indices);
+  return compared_algorithms(scene.algorithm, algorithms_of(names));
 }
 
 struct Task {
@@ -294,7 +285,7 @@ const Study& worst_hand_study() {
           "'worst-hand' has no single summary; use --scene-file FILE and 'hapticwall run FILE "
           "--expect EXPR'",
       .options = {{"algorithms", "A,B,...", "These algorithms; default: that of the scene", "",
-                   hands::wrong_algorithms},
+                   wrong_algorithms},
                   {"hands", "N", "Hands to try for each algorithm; default 10000", "10000",
                    hands::wrong_hands},
                   {"seed", "N", "Seed of the search; default 1", "1", hands::wrong_seed},
