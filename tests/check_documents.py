@@ -26,7 +26,7 @@ ELSEWHERE = {
     "display": "opens the window; tests/app/ui/page/experiment_test.cpp plays these lists",
     "cluster": "takes 64 machines; tests/app/command/map_test.cpp joins parts of a map",
     "commands": "./dev test --adding-an-algorithm, --adding-an-estimator and --adding-a-study",
-    "long": "takes minutes; tests/core/study/worst_hand/worst_hand_test.cpp tries fewer hands",
+    "long": "takes minutes; worst_hand_test.cpp and accuracy_hands_test.cpp try fewer hands",
     "settings": "tests/app/ui/window/settings_file_test.cpp",
     "device-file": "tests/app/file/scene_device_test.cpp and dialect_file_test.cpp",
 }

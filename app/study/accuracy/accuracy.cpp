@@ -12,6 +12,7 @@
 
 #include "app/file/text/text.h"
 #include "app/file/text/verdict.h"
+#include "app/study/accuracy/over_hands.h"
 #include "app/study/field.h"
 #include "app/study/studies.h"
 #include "core/units.h"
@@ -104,6 +105,25 @@ std::string wrong_substeps(std::string_view text) {
   return fmt::format("it takes whole numbers from 1 to {}, separated by commas", kMaxSubsteps);
 }
 
+std::string wrong_hand_count(std::string_view text) {
+  const auto hands = file::parsed<std::size_t>(text);
+  if (hands && *hands >= 1 && *hands <= kMaxAccuracyHands) return "";
+  return fmt::format("it takes a whole number from 1 to {}", kMaxAccuracyHands);
+}
+
+// Several hands: no times, and no position errors.
+Result<Run> plan_of_hands(AccuracyHandsPlan plan) {
+  if (const auto problem = validate(plan))
+    return usage_error(fmt::format("{}: {}", problem->key, problem->message));
+  return Run([plan = std::move(plan)](const Means& means) -> std::optional<Outcome> {
+    const auto measured = measure_hands(
+        plan,
+        {.threads = means.threads, .should_stop = means.should_stop, .progress = means.progress});
+    if (!measured) return std::nullopt;
+    return outcome_of(plan, *measured);
+  });
+}
+
 Result<Run> plan(const Scene& scene, const Choices& choices) {
   if (scene.x().device.static_friction_n.value_or(0.0) > 0.0) {
     return usage_error("device.static_friction_n: the reference has Coulomb friction alone");
@@ -114,8 +134,10 @@ Result<Run> plan(const Scene& scene, const Choices& choices) {
                     "shortens it",
                     kMaxAccuracyTicks, scene.tick_count()));
   }
-  return Run([scene, substeps = parse_substeps(accuracy_study().chosen(choices, "substeps"))](
-                 const Means& means) -> std::optional<Outcome> {
+  const std::vector<int> substeps = parse_substeps(accuracy_study().chosen(choices, "substeps"));
+  const auto hands = file::parsed<std::size_t>(accuracy_study().chosen(choices, "hands"));
+  if (*hands > 1) return plan_of_hands({scene, substeps, *hands});
+  return Run([scene, substeps](const Means& means) -> std::optional<Outcome> {
     const AccuracyStudy measured = measure_accuracy(scene, {.substeps = substeps,
                                                             .now_ns = means.now_ns,
                                                             .should_stop = means.should_stop,
@@ -159,7 +181,12 @@ const Study& accuracy_study() {
       .options = {{"substeps", "N,N,...",
                    fmt::format("Substeps per tick, 1 to {}; default {}", kMaxSubsteps,
                                accuracy::usual_substeps()),
-                   accuracy::usual_substeps(), accuracy::wrong_substeps}},
+                   accuracy::usual_substeps(), accuracy::wrong_substeps},
+                  {"hands", "N",
+                   fmt::format("Instead of times, count of N hands within 5 % of the scene's "
+                               "stiffness those whose amplitude is right, 1 to {}; default 1",
+                               kMaxAccuracyHands),
+                   "1", accuracy::wrong_hand_count}},
       .stages = {{{"substeps", "1,10,100"}}, {}},
       .plan = accuracy::plan};
   return kStudy;
