@@ -22,8 +22,9 @@ constexpr std::chrono::milliseconds kPause{2};
 }  // namespace
 
 std::string kind_of(const std::string& item) {
-  for (const char* kind : {"ghost of", "spectrum of ", "under ", "map choice ", "map under ",
-                           "study column ", "layout of ", "window ", "take device "}) {
+  for (const char* kind :
+       {"ghost of", "spectrum of ", "under ", "map choice ", "map under ", "study column ",
+        "layout of ", "window ", "take device ", "take hand "}) {
     if (item.starts_with(kind)) return kind;
   }
   for (const char* kind : {"toast ", "recent ", "slow motion "}) {

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "app/file/scene/device_file.h"
+#include "app/file/scene/hand_description.h"
 #include "app/file/scene/scene_file.h"
 #include "app/ui/widget/parameter_rows.h"
 #include "core/scene_keys.h"
@@ -137,6 +138,23 @@ void take_devices(Person& person) {
 
 void unfold_hand(Person& person) { unfold(person, "Hand", "withdraw hand"); }
 
+// Every named hand, one step of Undo each; the path stays.
+void take_hands(Person& person) {
+  unfold(person, "Hand", "hand numbers");
+  const Scene before = person.scene();
+  for (const file::BuiltinHand& builtin : file::builtin_hands()) {
+    person.click("hand numbers");
+    const std::string item = "take hand " + builtin.name;
+    EXPECT_TRUE(person.has_tooltip(item));
+    person.click(item);
+    const HandSettings numbers = file::load_hand_description(builtin.name)->hand;
+    EXPECT_EQ(person.scene(), file::with_hand(before, numbers)) << builtin.name;
+    EXPECT_NE(person.scene(), before) << builtin.name;
+    person.click("undo");
+    EXPECT_EQ(person.scene(), before);
+  }
+}
+
 }  // namespace
 
 Table hand_rows() {
@@ -145,6 +163,7 @@ Table hand_rows() {
                  person.click("section Hand");
                  EXPECT_TRUE(person.sees("end position"));
                }},
+              {"hand numbers", take_hands},
               takes("end position", "70", end_mm, 70.0, unfold_hand),
               takes("approach speed", "20", end_time_s, 2.0, unfold_hand),
               takes("withdraw speed", "40", withdraw_mm_per_s, 40.0, unfold_hand),

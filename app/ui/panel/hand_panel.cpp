@@ -5,7 +5,9 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <utility>
 
+#include "app/file/scene/hand_description.h"
 #include "app/ui/panel/hand_drag.h"
 #include "app/ui/panel/hand_state.h"
 #include "app/ui/panel/sections.h"
@@ -115,7 +117,35 @@ void edit_hand(HandSettings& hand, const NumberKey<HandSettings>& key, const Par
   if (!hand.has_grip() && key.key == "grip_stiffness_n_per_m") hand.grip_damping_n_s_per_m.reset();
 }
 
+void take_hand(const PanelContext& context, const HandSettings& numbers) {
+  Scene wanted = context.session.scene();
+  HandSettings hand = numbers;
+  hand.path = wanted.x().hand->path;
+  hand.follows_mouse = wanted.x().hand->follows_mouse;
+  wanted.x().hand = std::move(hand);
+  if (const auto problem = ask_for(context, wanted)) tell(context.toasts, *problem);
+}
+
+// Each number of the hand is replaced, so that none of the hand before is left.
+void draw_hand_list(const PanelContext& context) {
+  constexpr const char* kMeaning =
+      "Replaces the numbers below by those of a hand with a published source, as --set hand=NAME "
+      "does. The path stays. The tooltips name the sources.";
+  field_label(context, "numbers of", kMeaning, "");
+  if (ImGui::BeginCombo("##hand numbers", "a named hand ...")) {
+    for (const file::BuiltinHand& builtin : file::builtin_hands()) {
+      const auto hand = file::load_hand_description(builtin.name);
+      if (hand && list_choice(fmt::format("{}###take hand {}", hand->name, builtin.name), false,
+                              hand->source))
+        take_hand(context, hand->hand);
+    }
+    ImGui::EndCombo();
+  }
+  explain(kMeaning);
+}
+
 void draw_body(const PanelContext& context) {
+  draw_hand_list(context);
   const auto& loaded = context.scene.loaded.x().hand;
   for (const ParameterText& text : kHandRows) {
     const auto& key = key_called<HandSettings>(text.key);
