@@ -27,6 +27,7 @@ void compare_with(std::span<const Summary> exact, std::span<const Summary> runs,
   for (std::size_t i = 0; i < exact.size(); ++i) {
     row.verdicts_agree += runs[i].verdict == exact[i].verdict ? 1 : 0;
     if (exact[i].verdict != Verdict::kOscillating) continue;
+    ++row.compared;
     if (!exact[i].tail_peak_to_peak_m || !runs[i].tail_peak_to_peak_m) continue;
     const double error =
         std::abs(*runs[i].tail_peak_to_peak_m / *exact[i].tail_peak_to_peak_m - 1.0);
@@ -61,7 +62,7 @@ std::optional<AccuracyHands> measure_hands(const AccuracyHandsPlan& plan,
   add_hands(plan, {Integrator::kExact, 1}, scenes);
   for (const Integrator integrator : kStepped) {
     for (const int substeps : plan.substeps) {
-      measured.rows.push_back({integrator, substeps, 0, 0, {}});
+      measured.rows.push_back({integrator, substeps, 0, 0, 0, {}});
       add_hands(plan, {integrator, substeps}, scenes);
     }
   }

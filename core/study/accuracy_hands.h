@@ -28,7 +28,8 @@ struct AccuracyHandsPlan {
 struct AccuracyHandsRow {
   Integrator integrator = Integrator::kSemiImplicitEuler;
   int substeps = 1;
-  std::size_t within = 0;           // hands with an amplitude within kRightAmplitude of `exact`
+  std::size_t compared = 0;  // hands that oscillate with `exact`
+  std::size_t within = 0;    // of these, hands with an amplitude within kRightAmplitude of `exact`
   std::size_t verdicts_agree = 0;   // hands with the verdict of `exact`
   std::optional<double> max_error;  // largest relative error of the amplitude; nullopt if none
 };

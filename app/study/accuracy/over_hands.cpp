@@ -22,12 +22,17 @@ constexpr std::string_view kHandsReference = "exact integrator, the same hand";
 
 constexpr NumberForm kHandsPercents{kPercent, 2};
 
+// "-" if no hand has an amplitude to compare.
+std::string within_text(const HandsRow& row) {
+  return row.compared == 0 ? "-" : fmt::format("{} of {}", row.within, row.compared);
+}
+
 constexpr std::array<Field<HandsRow>, 5> kHandsFields{
     {{"integrator", [](const HandsRow& r) { return json_of(r.integrator); }, "integrator", "",
       kAsIs, nullptr, Align::kLeft},
      {"substeps", [](const HandsRow& r) { return json_of(r.substeps); }, "substeps", ""},
      {"hands_within_one_percent", [](const HandsRow& r) { return json_of(r.within); }, "within 1 %",
-      "hands"},
+      "hands", kAsIs, within_text},
      {"max_relative_error", [](const HandsRow& r) { return json_of(r.max_error); }, "max error",
       "%", kHandsPercents},
      {"verdicts_agree", [](const HandsRow& r) { return json_of(r.verdicts_agree); }, "same verdict",

@@ -57,19 +57,19 @@ constexpr std::array<Field<NamedRow>, 15> kFields{
      {"max_chatter_n", [](const NamedRow& r) { return json_of(max_of(r.row.runs, chatter)); },
       "max chatter", "N", kNewtons},
      {"median_chatter_n", [](const NamedRow& r) { return json_of(median_of(r.row.runs, chatter)); },
-      "median", "N", kNewtons},
+      "median chatter", "N", kNewtons},
      {"max_swing_m", [](const NamedRow& r) { return json_of(max_of(r.row.runs, swing)); }},
      {"median_swing_m", [](const NamedRow& r) { return json_of(median_of(r.row.runs, swing)); }},
      {"max_given_j", [](const NamedRow& r) { return json_of(max_of(r.row.runs, given)); },
       "max given", "mJ", kMillijoules},
      {"median_given_j", [](const NamedRow& r) { return json_of(median_of(r.row.runs, given)); },
-      "median", "mJ", kMillijoules},
+      "median given", "mJ", kMillijoules},
      {"min_displayed_stiffness_n_per_m",
       [](const NamedRow& r) { return json_of(min_of(r.row.runs, stiffness)); }, "least stiff",
       "kN/m", kPerKilo},
      {"median_displayed_stiffness_n_per_m",
-      [](const NamedRow& r) { return json_of(median_of(r.row.runs, stiffness)); }, "median", "kN/m",
-      kPerKilo}}};
+      [](const NamedRow& r) { return json_of(median_of(r.row.runs, stiffness)); }, "median stiff",
+      "kN/m", kPerKilo}}};
 
 // "0.218 kg, 78.75 N/m, 4.645 N s/m, grip 379.5 N/m, 1.839 N s/m".
 std::string numbers_text(const HandSettings& hand) {

@@ -48,6 +48,35 @@ TEST_F(AccuracyCommand, JsonOnStandardOutputIsAllThereIs) {
   EXPECT_LE(json.at("rows")[0].at("max_position_error_m").get<double>(), 1e-14);
 }
 
+// Without times, so that two calls agree byte for byte.
+TEST_F(AccuracyCommand, CountsTheRightHands) {
+  const std::vector<std::string> arguments{"accuracy",   "golden-hard", "--hands",    "5",
+                                           "--substeps", "1,100",       "--duration", "2"};
+  const Answer answer = hapticwall(arguments);
+  ASSERT_EQ(answer.status, 0) << answer.err;
+  EXPECT_EQ(hapticwall(arguments).out, answer.out);
+  EXPECT_THAT(answer.out,
+              AllOf(StartsWith("golden-hard under none: 5 hands of 285 to 315 N/m in equal steps, "
+                               "each against exact\nexact: 5 of them oscillate, "),
+                    ::testing::ContainsRegex("\nsemi-implicit-euler +1 +0 of 5 +100\\.00 +0\n"),
+                    ::testing::ContainsRegex("\nrk4 +100 +5 of 5 +0\\.00 +5\n")));
+}
+
+TEST_F(AccuracyCommand, TheHandsAreWritten) {
+  const Answer answer =
+      hapticwall({"accuracy", "golden-hard", "--hands", "3", "--substeps", "10", "--duration", "2",
+                  "--csv", "a.csv", "--json", "a.json", "--plot", "a.png", "--quiet"});
+  ASSERT_EQ(answer.status, 0) << answer.err;
+  EXPECT_THAT(files(), ElementsAre("a.csv", "a.json", "a.png"));
+  const auto json = nlohmann::json::parse(content("a.json"));
+  EXPECT_EQ(json.at("hands"), 3);
+  EXPECT_EQ(json.at("hand_stiffness_from_n_per_m"), 285.0);
+  EXPECT_EQ(json.at("oscillating_hands"), 3);
+  ASSERT_EQ(json.at("rows").size(), 2U);
+  EXPECT_EQ(json.at("rows")[1].at("hands_within_one_percent"), 3);
+  EXPECT_THAT(content("a.csv"), StartsWith("scene,algorithm,duration_s,hands,"));
+}
+
 TEST_F(AccuracyCommand, FilesAreWritten) {
   const Answer answer = hapticwall({"accuracy", "golden-hard", "--substeps", "1,2", "--csv",
                                     "a.csv", "--json", "a.json", "--plot", "a.png", "--quiet"});

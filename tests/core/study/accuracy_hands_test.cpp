@@ -45,6 +45,7 @@ TEST(AccuracyHands, CountsTheRightOnes) {
   EXPECT_EQ(measured->exact.size(), 5U);
   EXPECT_EQ(measured->oscillating(), 5U);
   ASSERT_EQ(measured->rows.size(), 4U);
+  EXPECT_EQ(measured->rows[0].compared, 5U);
   EXPECT_EQ(measured->rows[0].within, 0U) << "one semi-implicit step hides the cycle";
   EXPECT_EQ(measured->rows[0].verdicts_agree, 0U);
   EXPECT_NEAR(*measured->rows[0].max_error, 1.0, 1e-3);
