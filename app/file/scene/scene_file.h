@@ -40,12 +40,12 @@ struct LoadedScene {
   Scene scene;
   std::vector<ScheduledChange> changes;
   std::uint64_t first_recorded_tick = 0;
-  std::string not_repeatable_because;     // empty: a repetition gives the same rows
-  std::string changed_plugin;             // plug-in path; empty: as recorded, or another algorithm
-  std::vector<std::string> named_files;   // of device and hands; also built-in names and ""
-  std::vector<Mark> marks;                // marks in order
-  std::string csv_sha256;                 // hash of the rows; empty: not known
-  bool edited = false;                    // the sidecar was changed since it was written
+  std::string not_repeatable_because;    // empty: a repetition gives the same rows
+  std::string changed_plugin;            // plug-in path; empty: as recorded, or another algorithm
+  std::vector<std::string> named_files;  // of device and hands; also built-in names and ""
+  std::vector<Mark> marks;               // marks in order
+  std::string csv_sha256;                // hash of the rows; empty: not known
+  bool edited = false;                   // the sidecar was changed since it was written
   // Tick of each axis at which the recorded run diverged, which the rows do not show.
   std::array<std::optional<std::uint64_t>, kMaxAxes> diverged_at_tick;
 };

@@ -19,7 +19,8 @@ void apply_override(toml::table& root, const std::string& override_text);
 std::string resolve_device(toml::table& root, const toml::table& before, const std::string& origin);
 
 // The same for the hands of both axes. A hand keeps its path, and loses every other number that its
-// description omits. Returns the names or paths, "" for an axis that names none. Throws ReadFailure.
+// description omits. Returns the names or paths, "" for an axis that names none. Throws
+// ReadFailure.
 std::vector<std::string> resolve_hands(toml::table& root, const toml::table& before,
                                        const std::string& origin);
 
