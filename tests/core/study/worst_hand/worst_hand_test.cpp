@@ -79,6 +79,16 @@ TEST(WorstHand, TheClimbFindsMoreThanTheFirstHands) {
   EXPECT_GT(more.most_j(), 1.05 * first.most_j());
 }
 
+// Several hundred of these hands take energy, and kMaxRanked are ranked: those that took most, and
+// not those that came first. Under `none` the hand with the largest typical energy is among them.
+TEST(WorstHand, RanksTheHandsThatTookMost) {
+  for (const std::uint64_t seed : {1U, 2U, 3U}) {
+    const Found result = found({tap_device("none", 1.0), 1024, seed, Bounds::kWide});
+    ASSERT_TRUE(result.hand);
+    EXPECT_GT(result.hand->taken_j, 0.9 * result.most_j()) << seed;
+  }
+}
+
 // Passive by theory, encoder and friction included.
 TEST(WorstHand, FindsNoneUnderForceBoundingAndTheVirtualCoupling) {
   for (const char* algorithm : {"force-bounding", "virtual-coupling", "energy-bounding-2010"}) {
