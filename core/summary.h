@@ -110,6 +110,10 @@ struct Summary {
   std::optional<double> disarmed_at_s;  // of the session's time; nullopt: it was not disarmed
   std::optional<std::string> disarm_reason;
   std::optional<std::uint64_t> lost_stream_samples;  // nullopt without --stream
+  // Of a search for a hand that takes energy (core/study/worst_hand), filled by its caller.
+  std::optional<std::uint64_t> searched_hands;  // nullopt without a search
+  std::optional<double> most_taken_j;           // nullopt if no hand took energy
+  std::optional<double> typical_taken_j;
 
   // False for a run that ended before its tail without diverging.
   [[nodiscard]] bool has_verdict() const {
@@ -125,18 +129,31 @@ using SummaryMember =
                  std::uint64_t Summary::*, std::optional<std::string> Summary::*,
                  std::optional<double> Summary::*, std::optional<std::uint64_t> Summary::*>;
 
+// Summaries that have a key.
+enum class KeyOf : std::uint8_t {
+  kAll,
+  kSession,  // of a session in real time
+  kSearch,   // with a search for a hand that takes energy
+};
+
 struct SummaryKey {
   std::string_view name;  // in JSON, CSV, --expect and --sort
   SummaryMember member;
-  bool of_run = false;      // all axes share it
-  bool of_session = false;  // absent unless the run was a session in real time
+  bool of_run = false;  // all axes share it
+  KeyOf of = KeyOf::kAll;
 };
+
+// True if this run has the keys of the group. Precondition: the summary is of axis x.
+[[nodiscard]] constexpr bool has_keys(const Summary& run, KeyOf of) {
+  if (of == KeyOf::kSession) return run.missed_ticks.has_value();
+  return of == KeyOf::kAll || run.searched_hands.has_value();
+}
 
 inline constexpr std::string_view kLostStreamSamples = "lost_stream_samples";
 
 // Keys in the order of JSON and CSV (docs/command-line.md). A new field needs a line here and one
 // in summarise(); every output and every comparison of summaries reads this table.
-inline constexpr std::array<SummaryKey, 45> kSummaryKeys{
+inline constexpr std::array<SummaryKey, 48> kSummaryKeys{
     {{"scene", &Summary::scene, true},
      {"algorithm", &Summary::algorithm, true},
      {"verdict", &Summary::verdict},
@@ -172,15 +189,18 @@ inline constexpr std::array<SummaryKey, 45> kSummaryKeys{
      {"passivity_margin_j", &Summary::passivity_margin_j},
      {"diverged_at_tick", &Summary::diverged_at_tick},
      {"verdict_note", &Summary::verdict_note, true},
-     {"missed_ticks", &Summary::missed_ticks, true, true},
-     {"missing_states", &Summary::missing_states, true, true},
-     {"void_reports", &Summary::void_reports, true, true},
-     {"applied_commands", &Summary::applied_commands, true, true},
-     {"lost_commands", &Summary::lost_commands, true, true},
-     {"rejected_commands", &Summary::rejected_commands, true, true},
-     {"delay_s", &Summary::delay_s, true, true},
-     {"disarmed_at_s", &Summary::disarmed_at_s, true, true},
-     {"disarm_reason", &Summary::disarm_reason, true, true},
-     {kLostStreamSamples, &Summary::lost_stream_samples, true, true}}};
+     {"missed_ticks", &Summary::missed_ticks, true, KeyOf::kSession},
+     {"missing_states", &Summary::missing_states, true, KeyOf::kSession},
+     {"void_reports", &Summary::void_reports, true, KeyOf::kSession},
+     {"applied_commands", &Summary::applied_commands, true, KeyOf::kSession},
+     {"lost_commands", &Summary::lost_commands, true, KeyOf::kSession},
+     {"rejected_commands", &Summary::rejected_commands, true, KeyOf::kSession},
+     {"delay_s", &Summary::delay_s, true, KeyOf::kSession},
+     {"disarmed_at_s", &Summary::disarmed_at_s, true, KeyOf::kSession},
+     {"disarm_reason", &Summary::disarm_reason, true, KeyOf::kSession},
+     {kLostStreamSamples, &Summary::lost_stream_samples, true, KeyOf::kSession},
+     {"searched_hands", &Summary::searched_hands, true, KeyOf::kSearch},
+     {"most_taken_j", &Summary::most_taken_j, true, KeyOf::kSearch},
+     {"typical_taken_j", &Summary::typical_taken_j, true, KeyOf::kSearch}}};
 
 }  // namespace hapticwall

@@ -44,7 +44,7 @@ double column_value(const std::optional<Value>& value) {
 }
 
 bool is_number(const SummaryKey& key) {
-  return !key.of_session && !std::holds_alternative<std::string Summary::*>(key.member) &&
+  return key.of == KeyOf::kAll && !std::holds_alternative<std::string Summary::*>(key.member) &&
          !std::holds_alternative<std::optional<std::string> Summary::*>(key.member);
 }
 
@@ -102,7 +102,7 @@ SummaryDict summary_dict(const RunSummary& run) {
   SummaryDict dict;
   for (std::size_t axis = 0; axis < run.size(); ++axis) {
     for (const SummaryKey& key : kSummaryKeys) {
-      if (key.of_session || (axis > 0 && key.of_run)) continue;
+      if (key.of != KeyOf::kAll || (axis > 0 && key.of_run)) continue;
       const bool none = key.name == "verdict" && !run[axis].has_verdict();
       const std::string name = (axis > 0 ? "y_" : "") + std::string(key.name);
       dict[name.c_str()] =

@@ -13,6 +13,7 @@
 #include "app/command/commands.h"
 #include "app/command/common_options.h"
 #include "app/command/compare/compare_order.h"
+#include "app/command/compare/hand_search.h"
 #include "app/command/device_choice.h"
 #include "app/command/output_file.h"
 #include "app/command/recorded_hand.h"
@@ -35,7 +36,8 @@ struct CompareOptions {
   OutputOptions output;
   std::vector<std::string> algorithms;  // empty: all
   std::string sort;
-  std::string hands;  // "all" or names; empty: the scene's own hand
+  std::string hands;       // "all" or names; empty: the scene's own hand
+  std::string worst_hand;  // hands of a search under each row; "": none
   bool study = false;
 };
 
@@ -164,7 +166,12 @@ Result<int> run_instead(const study::Study& study, std::string_view option,
 Result<int> compare(const CompareOptions& options) {
   const bool named_hands = !options.hands.empty();
   if (options.study && named_hands) return usage_error("--hands: not with --study");
-  if (options.study) return run_instead(study::ranking_study(), "--study", options, {});
+  if (named_hands && !options.worst_hand.empty())
+    return usage_error("--hands: not with --worst-hand");
+  if (options.study) {
+    return run_instead(study::ranking_study(), "--study", options,
+                       {{"worst-hand", options.worst_hand}});
+  }
   if (named_hands)
     return run_instead(study::named_hands_study(), "--hands", options, {{"hands", options.hands}});
   const Result<std::vector<Expectation>> expectations =
@@ -178,18 +185,24 @@ Result<int> compare(const CompareOptions& options) {
   }
   const Result<std::vector<std::size_t>> indices = chosen_algorithms(options.algorithms);
   if (!indices) return indices.error();
+  if (Failure failed = check_searched_hands(options.worst_hand)) return *failed;
   Result<Compared> from = load_compared(options.scene, options.output.quiet);
   if (!from) return from.error();
   const Scene& scene = from->loaded.scene;
   const auto compared = compared_algorithms(scene.algorithm, *indices);
+  if (!options.worst_hand.empty()) {
+    if (Failure failed = check_hand_search(scene, from->recording.has_value())) return *failed;
+  }
   if (Failure failed = check_plot(options.output, scene, compared.size())) return *failed;
   if (Failure failed = check_scene_files(options.output, from->loaded)) return *failed;
   catch_stop_signals();
   Result<OutputFiles> files = OutputFiles::open(options.output);
   if (!files) return files.error();
-  const Result<std::optional<Runs>> runs = run_all(*from, compared, options.output);
+  Result<std::optional<Runs>> runs = run_all(*from, compared, options.output);
   if (!runs) return runs.error();
-  if (!*runs) return ended_early();
+  const bool searched = *runs && search_hands({scene, options.worst_hand, !options.output.quiet},
+                                              compared, (*runs)->summaries);
+  if (!searched) return ended_early();
   const std::vector<std::size_t> rows = ordered((*runs)->summaries, *order);
   if (Failure failed = write_results(*files, scene, **runs, rows)) return *failed;
   return judge(*expectations, (*runs)->summaries);
@@ -208,6 +221,9 @@ Command add_compare(CLI::App& program) {
   app->add_flag("--study", options->study, std::string(study::ranking_study().help));
   app->add_option("--hands", options->hands, std::string(study::named_hands_study().help))
       ->type_name("all|NAME,...");
+  app->add_option("--worst-hand", options->worst_hand,
+                  "Also search as many hands for one that takes energy, under each row")
+      ->type_name("HANDS");
   add_csv_option(*app, options->output, "Write the table as CSV, one line per row");
   add_plot_option(*app, options->output, "Draw all runs side by side");
   app->add_option("--sort", options->sort,

@@ -51,7 +51,7 @@ std::vector<SummaryField> summary_fields(const RunSummary& run) {
   std::vector<SummaryField> fields;
   for (std::size_t axis = 0; axis < run.size(); ++axis) {
     for (const SummaryKey& key : kSummaryKeys) {
-      if ((axis > 0 && key.of_run) || (key.of_session && !run.front().missed_ticks)) continue;
+      if ((axis > 0 && key.of_run) || !has_keys(run.front(), key.of)) continue;
       fields.push_back(
           {std::string(axis > 0 ? "y_" : "").append(key.name), value_of(run[axis], key)});
     }
@@ -62,6 +62,7 @@ std::vector<SummaryField> summary_fields(const RunSummary& run) {
 std::vector<SummaryField> all_summary_fields(std::size_t axes) {
   RunSummary session(axes);
   session.front().missed_ticks = 0;
+  session.front().searched_hands = 0;
   for (Summary& axis : session) {
     axis.tail_peak_to_peak_m = 0.0;  // gives the axis a verdict
     axis.verdict_note = axis.disarm_reason = "";

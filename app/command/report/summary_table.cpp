@@ -10,6 +10,7 @@
 #include <span>
 
 #include "app/file/text/verdict.h"
+#include "app/table/hand_column.h"
 #include "app/table/text_table.h"
 #include "core/run/metrics.h"
 #include "core/units.h"
@@ -242,17 +243,20 @@ std::string summary_lines(const RunSummary& run, const Circumstances& circumstan
 std::string comparison_table(const std::vector<RunSummary>& runs) {
   const std::vector<Row> rows = comparison_rows(runs);
   const bool marks = runs.size() > 1;
+  std::vector<Column> columns(kColumns.begin(), kColumns.end());
+  const std::optional<std::uint64_t> hands = runs.front().front().searched_hands;
+  const std::string hands_title = table::hand_column_title(hands.value_or(0));
+  if (hands) columns.push_back({hands_title, table::kHandColumnUnit, table::hand_column_text});
   std::vector<std::vector<std::string>> cells(rows.size() + kHeadRows);
-  for (const Column& column : kColumns) {
+  for (const Column& column : columns) {
     const std::vector<std::string> texts = column_cells(column, rows, marks);
     for (std::size_t i = 0; i < cells.size(); ++i) cells[i].push_back(texts[i]);
   }
-  std::array<table::Align, kColumns.size()> aligns{};
-  for (std::size_t i = 0; i < aligns.size(); ++i) {
-    aligns.at(i) = i < kTextColumns ? table::Align::kLeft : table::Align::kRight;
-  }
+  std::vector<table::Align> aligns(columns.size(), table::Align::kRight);
+  std::fill_n(aligns.begin(), kTextColumns, table::Align::kLeft);
   std::string table = table::aligned(cells, aligns);
   if (table.find('*') != std::string::npos) table += kBestLegend;
+  if (hands) table += table::hand_column_note(*hands);
   return table;
 }
 

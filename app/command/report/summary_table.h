@@ -28,7 +28,8 @@ struct Circumstances {
 [[nodiscard]] std::string summary_lines(const RunSummary& run, const Circumstances& circumstances);
 
 // One aligned table with one line per run and axis, in the order given. With more than one run it
-// marks the best of each column, axis by axis, and says below how best is defined.
+// marks the best of each column, axis by axis, and says below how best is defined. The column of a
+// search for hands is there if the runs have one. Precondition: `runs` is not empty.
 [[nodiscard]] std::string comparison_table(const std::vector<RunSummary>& runs);
 
 }  // namespace hapticwall::command

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -13,6 +15,9 @@
 #include "app/study/algorithm_names.h"
 #include "app/study/field.h"
 #include "app/study/studies.h"
+#include "app/study/worst_hand/worst_hand.h"
+#include "app/table/hand_column.h"
+#include "core/algorithm/algorithm.h"
 #include "core/units.h"
 
 namespace hapticwall::study::ranking {
@@ -85,6 +90,15 @@ constexpr std::array<Field<Row>, 17> kFields{
       nullptr, Align::kLeft},
      {"tail_peak_to_peak_m", [](const Row& r) { return json_of(r.summary.tail_peak_to_peak_m); },
       "tail p-p", "mm", kMillimetres}}};
+// The columns of a search for a hand that takes energy; `title` lives as long as they do.
+constexpr std::array<Field<Row>, 3> search_fields(std::string_view title) {
+  return {{{"searched_hands", [](const Row& r) { return json_of(r.summary.searched_hands); }},
+           {"most_taken_j", [](const Row& r) { return json_of(r.summary.most_taken_j); }},
+           {"typical_taken_j", [](const Row& r) { return json_of(r.summary.typical_taken_j); },
+            title, table::kHandColumnUnit, kAsIs,
+            [](const Row& r) { return table::hand_column_text(r.summary); }}}};
+}
+
 // The sheet has the failure before the settled value; JSON and CSV pair first and last.
 constexpr std::array<std::string_view, 12> kColumns{
     "algorithm",       "stiffest",  "force",   "first failure", "last settled", "changes  ",
@@ -139,28 +153,79 @@ Json conditions(const ContactStudyPlan& plan) {
           {"scan_tolerance", json_of(plan.tolerance)}};
 }
 
-Result<Run> plan(const Scene& scene, const Choices& choices) {
-  ContactStudyPlan plan;
-  plan.scene = scene;
-  plan.algorithms = algorithms_of(ranking_study().chosen(choices, "algorithms"));
-  if (const auto problem = validate(plan)) {
-    return usage_error(problem->key + ": " + problem->message);
+struct Task {
+  ContactStudyPlan contact;
+  std::optional<std::uint64_t> hands;  // of a search under each row
+};
+
+std::string wrong_search(std::string_view text) {
+  return text.empty() ? "" : hands::wrong_hands(text);
+}
+
+// False if `should_stop` returned true.
+bool search_hands(const Task& task, const Means& means, std::vector<Row>& rows) {
+  const auto compared = compared_algorithms(task.contact.scene.algorithm, task.contact.algorithms);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    worst_hand::Plan plan{axis_scene(task.contact.scene, 0), *task.hands};
+    plan.scene.algorithm = compared[i].settings;
+    const auto found = worst_hand::search(
+        plan, {.threads = means.threads,
+               .should_stop = means.should_stop,
+               .time_is_up = {},
+               .progress = [&](double fraction) {
+                 const double done = static_cast<double>(i) + fraction;
+                 if (means.progress)
+                   means.progress(0.5 + 0.5 * done / static_cast<double>(rows.size()));
+               }});
+    if (!found) return false;
+    found->put(rows[i].summary);
   }
-  return Run([plan = std::move(plan)](const Means& means) -> std::optional<Outcome> {
-    const std::vector<Row> rows = study_contact(
-        plan,
-        {.threads = means.threads, .should_stop = means.should_stop, .progress = means.progress});
-    if (rows.empty()) return std::nullopt;
-    return outcome_of(plan, rows);
-  });
+  return true;
+}
+
+std::optional<Outcome> compute(const Task& task, const Means& means) {
+  const double share = task.hands ? 0.5 : 1.0;  // of the progress
+  std::vector<Row> rows = study_contact(task.contact, {.threads = means.threads,
+                                                       .should_stop = means.should_stop,
+                                                       .progress = [&](double fraction) {
+                                                         if (means.progress)
+                                                           means.progress(share * fraction);
+                                                       }});
+  if (rows.empty() || (task.hands && !search_hands(task, means, rows))) return std::nullopt;
+  return outcome_of(task.contact, rows);
+}
+
+Result<Run> plan(const Scene& scene, const Choices& choices) {
+  const Study& study = ranking_study();
+  Task task;
+  task.contact.scene = scene;
+  task.contact.algorithms = algorithms_of(study.chosen(choices, "algorithms"));
+  task.hands = file::parsed<std::uint64_t>(study.chosen(choices, "worst-hand"));
+  if (const auto problem = validate(task.contact))
+    return usage_error(problem->key + ": " + problem->message);
+  if (task.hands) {
+    const Scene of_x = axis_scene(scene, 0);
+    if (const auto problem = worst_hand::problem_of(of_x, worst_hand::Bounds::kWide))
+      return usage_error(problem->key + ": " + problem->message);
+  }
+  return Run([task = std::move(task)](const Means& means) { return compute(task, means); });
 }
 
 }  // namespace
 
 Outcome outcome_of(const ContactStudyPlan& plan, const std::vector<ContactMetrics>& rows) {
-  Outcome outcome = study::outcome_of<Row>(kFields, conditions(plan), rows, {.order = kColumns});
+  const std::optional<std::uint64_t> hands =
+      rows.empty() ? std::nullopt : rows.front().summary.searched_hands;
+  const std::string title = table::hand_column_title(hands.value_or(0));
+  std::vector<Field<Row>> fields(kFields.begin(), kFields.end());
+  std::vector<std::string_view> order(kColumns.begin(), kColumns.end());
+  if (hands) {
+    std::ranges::copy(search_fields(title), std::back_inserter(fields));
+    order.push_back(title);
+  }
+  Outcome outcome = study::outcome_of<Row>(fields, conditions(plan), rows, {.order = order});
   outcome.sheet.heading = heading(plan, rows);
-  outcome.sheet.marks = marks(rows);
+  outcome.sheet.marks = marks(rows) + (hands ? table::hand_column_note(*hands) : "");
   return outcome;
 }
 
@@ -184,7 +249,9 @@ const Study& ranking_study() {
       .instead_of_expect =
           "not with --study, which has no summary; use 'hapticwall compare SCENE "
           "--expect EXPR'",
-      .options = {{"algorithms", "A,B,...", "These algorithms only", "", wrong_algorithms}},
+      .options = {{"algorithms", "A,B,...", "These algorithms only", "", wrong_algorithms},
+                  {"worst-hand", "HANDS", "Also search as many hands for one that takes energy", "",
+                   ranking::wrong_search}},
       .of_all_algorithms = true,
       .stages = {{}},
       .plan = ranking::plan};

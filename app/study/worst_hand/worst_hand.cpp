@@ -179,11 +179,6 @@ std::string scene_text(const std::vector<Row>& rows) {
   return file::scene_to_toml(scene);
 }
 
-std::string wrong_hands(std::string_view text) {
-  const auto hands = file::parsed<std::uint64_t>(text);
-  if (hands && *hands >= 1 && *hands <= worst_hand::kMaxHands) return "";
-  return fmt::format("it takes a whole number from 1 to {}", worst_hand::kMaxHands);
-}
 std::string wrong_seed(std::string_view text) {
   return file::parsed<std::uint64_t>(text) ? "" : "it takes a whole number of at most 64 bits";
 }
@@ -255,6 +250,12 @@ Result<Run> plan(const Scene& scene, const Choices& choices) {
 }
 
 }  // namespace
+
+std::string wrong_hands(std::string_view text) {
+  const auto hands = file::parsed<std::uint64_t>(text);
+  if (hands && *hands >= 1 && *hands <= worst_hand::kMaxHands) return "";
+  return fmt::format("it takes a whole number from 1 to {}", worst_hand::kMaxHands);
+}
 
 Outcome outcome_of(const worst_hand::Plan& plan, const std::vector<Row>& rows) {
   Outcome outcome = study::outcome_of<Row>(kFields, conditions(plan), rows);

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/draw/plot/log_plot.h"
@@ -22,6 +23,9 @@ struct Row {
 
 // `plan`: that of all rows; its algorithm is that of the first row.
 [[nodiscard]] Outcome outcome_of(const worst_hand::Plan& plan, const std::vector<Row>& rows);
+
+// Names the accepted numbers of hands if `text` is none; else "".
+[[nodiscard]] std::string wrong_hands(std::string_view text);
 
 // Energy over the number of hands.
 [[nodiscard]] draw::LogFigure gains_figure(const worst_hand::Plan& plan,

@@ -11,6 +11,7 @@
 
 #include "core/scene.h"
 #include "core/study/worst_hand/hand_space.h"
+#include "core/summary.h"
 
 namespace hapticwall::worst_hand {
 
@@ -53,6 +54,13 @@ struct Found {
   // largest energy alone may be the luck of one chaotic run.
   std::optional<FoundHand> hand;
 
+  // Fills the numbers of a search in the summary of axis x.
+  void put(Summary& summary) const {
+    summary.searched_hands = hands;
+    if (!hand) return;
+    summary.most_taken_j = most_j();
+    summary.typical_taken_j = hand->typical_j;
+  }
   // The largest energy of all hands.
   [[nodiscard]] double most_j() const { return gains.empty() ? 0.0 : gains.back().taken_j; }
   // Number of the first hand that took energy; nullopt if none did.

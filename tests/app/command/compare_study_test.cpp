@@ -110,5 +110,21 @@ TEST_F(StudyCommand, IsInTheHelp) {
   EXPECT_THAT(hapticwall({"compare", "--help"}).out, HasSubstr("--study"));
 }
 
+TEST_F(StudyCommand, AddsASearchForAHandOnDemand) {
+  const Answer answer =
+      hapticwall({"compare", "tap", "--duration", "1", "--study", "--algorithms",
+                  "force-bounding,none", "--worst-hand", "60", "--json", "a.json"});
+  ASSERT_EQ(answer.status, 0) << answer.err;
+  EXPECT_THAT(answer.out, AllOf(HasSubstr("  60 hands\n"), HasSubstr("  J typical\n"),
+                                HasSubstr("\n60 hands: median energy")));
+  const auto rows = nlohmann::json::parse(content("a.json")).at("rows");
+  EXPECT_TRUE(rows[0].at("typical_taken_j").is_null());
+  const Answer found = hapticwall({"worst-hand", "tap", "--duration", "1", "--algorithm", "none",
+                                   "--hands", "60", "--json", "-"});
+  const auto none = nlohmann::json::parse(found.out).at("rows")[0];
+  EXPECT_EQ(rows[1].at("typical_taken_j"), none.at("typical_j"));
+  EXPECT_EQ(rows[1].at("most_taken_j"), none.at("most_j"));
+}
+
 }  // namespace
 }  // namespace hapticwall::command::test

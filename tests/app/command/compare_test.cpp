@@ -273,6 +273,36 @@ TEST_F(Compare, EveryRowIsTheSummaryOfSimulate) {
   }
 }
 
+// The column has the numbers of `worst-hand`, and is there on demand only.
+TEST_F(Compare, AddsASearchForAHandOnDemand) {
+  const std::vector<std::string> scene{"tap", "--duration", "1", "--algorithms",
+                                       "none,force-bounding"};
+  const auto answer = [&](std::vector<std::string> words, const std::vector<std::string>& more) {
+    words.insert(words.end(), scene.begin(), scene.end());
+    words.insert(words.end(), more.begin(), more.end());
+    const Answer given = hapticwall(words);
+    EXPECT_EQ(given.status, 0) << given.err;
+    return given.out;
+  };
+  const std::string table = answer({"compare"}, {"--worst-hand", "60", "--csv", "a.csv"});
+  EXPECT_THAT(table, AllOf(HasSubstr("  60 hands"), HasSubstr("  J typical"),
+                           HasSubstr("\n60 hands: median energy"), HasSubstr("wide bounds")));
+  EXPECT_THAT(content("a.csv"), HasSubstr(",searched_hands,most_taken_j,typical_taken_j\n"));
+  const std::string found = answer({"worst-hand"}, {"--hands", "60", "--json", "-"});
+  const auto rows = nlohmann::json::parse(found).at("rows");
+  const std::string compared = answer({"compare"}, {"--worst-hand", "60", "--json", "-"});
+  const auto runs = nlohmann::json::parse(compared);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(runs.at(i).at("searched_hands"), 60);
+    EXPECT_EQ(runs.at(i).at("most_taken_j"), rows.at(i).at("most_j"));
+    EXPECT_EQ(runs.at(i).at("typical_taken_j"), rows.at(i).at("typical_j"));
+  }
+  EXPECT_TRUE(runs.at(0).at("typical_taken_j").is_number());
+  EXPECT_TRUE(runs.at(1).at("typical_taken_j").is_null());
+  const std::string without = answer({"compare"}, {"--json", "-"});
+  EXPECT_THAT(without, Not(HasSubstr("taken_j")));
+}
+
 TEST_F(Compare, PlotWritesAPictureThatFollowsTheOrder) {
   const std::vector<std::string> common{"compare", "press",        "--duration",
                                         "2",       "--algorithms", "none,energy-bounding"};
