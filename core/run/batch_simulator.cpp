@@ -52,7 +52,7 @@ class Reporter {
 class Batch {
  public:
   Batch(std::span<const Scene> scenes, const BatchOptions& options)
-      : scenes_(scenes), reporter_(options, scenes.size()) {
+      : scenes_(scenes), on_sample_(options.on_sample), reporter_(options, scenes.size()) {
     result_.summaries.resize(scenes.size());
   }
 
@@ -70,6 +70,7 @@ class Batch {
     if (reporter_.should_stop()) return;
     SimulationOptions options;
     options.should_stop = [this] { return reporter_.should_stop(); };
+    if (on_sample_) options.on_sample = [&](const Sample& sample) { on_sample_(scene, sample); };
     SimulationResult result = simulate(scenes_[scene], options);
     if (result.stopped_early) return;
     result_.summaries[scene] = std::move(result.summary);
@@ -79,6 +80,7 @@ class Batch {
   }
 
   std::span<const Scene> scenes_;
+  const std::function<void(std::size_t, const Sample&)>& on_sample_;
   Reporter reporter_;
   BatchResult result_;
 };

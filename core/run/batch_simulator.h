@@ -22,6 +22,9 @@ struct BatchOptions {
   std::function<bool()> should_stop;
   // `done` of `total` scenes have ended; rises up to `total` unless stopped.
   std::function<void(std::size_t done, std::size_t total)> progress;
+  // Called with the samples of each scene in order. Calls for different scenes overlap. Empty:
+  // samples are not assembled.
+  std::function<void(std::size_t scene, const Sample& sample)> on_sample = {};
 };
 
 struct BatchResult {

@@ -25,7 +25,7 @@ LogSeries series_of(const Row& row, std::size_t index) {
                    .labels_above = true,
                    .points = {}};
   for (const worst_hand::Gain& gain : row.found.gains)
-    series.points.push_back({static_cast<double>(gain.hand), gain.taken_j, "", true});
+    series.points.push_back({static_cast<double>(gain.hand), gain.taken_at_rest_j, "", true});
   if (!row.found.hand) return series;
   series.points.back().label = fmt::format("{:.3g}", row.found.most_j());
   series.points.push_back({static_cast<double>(row.found.hands), row.found.hand->typical_j,
@@ -46,15 +46,18 @@ draw::LogFigure gains_figure(const worst_hand::Plan& plan, const std::vector<Row
     plot.series.push_back(series_of(rows[i], i));
     if (!rows[i].found.hand) none += (none.empty() ? "" : ", ") + rows[i].algorithm;
   }
-  return {.title = plan.scene.name,
-          .subject = "a search for a hand that takes energy",
-          .note = fmt::format("let-go hands, {} bounds, seed {}, {:g} s each",
-                              worst_hand::kBoundsNames.at(static_cast<std::size_t>(plan.bounds)),
-                              plan.seed, plan.scene.duration_s),
-          .hollow = "typical energy of the shown hand, among hands within 1 %",
-          .labels = "J",
-          .missing = none.empty() ? "" : "no hand found: " + none,
-          .plots = {std::move(plot)}};
+  return {
+      .title = plan.scene.name,
+      .subject = "a search for a hand that takes energy",
+      .note = fmt::format("{}, {} bounds, seed {}, {:g} s each",
+                          plan.motion == worst_hand::Motion::kRamp ? "ramps, energy after their end"
+                                                                   : "let-go hands",
+                          worst_hand::kBoundsNames.at(static_cast<std::size_t>(plan.bounds)),
+                          plan.seed, plan.scene.duration_s),
+      .hollow = "typical energy of the shown hand, among hands within 1 %",
+      .labels = "J",
+      .missing = none.empty() ? "" : "no hand found: " + none,
+      .plots = {std::move(plot)}};
 }
 
 }  // namespace hapticwall::study::hands

@@ -22,6 +22,8 @@ using worst_hand::Bounds;
 using worst_hand::FoundHand;
 using worst_hand::kBoundsNames;
 using worst_hand::kHandNumberList;
+using worst_hand::kMotionNames;
+using worst_hand::Motion;
 
 constexpr NumberForm kThree{1.0, 3};
 constexpr NumberForm kOne{1.0, 1};
@@ -34,7 +36,8 @@ Json of_hand(const Row& row, double FoundHand::*member) {
 }
 template <std::size_t kNumber>
 Json number_of_hand(const Row& row) {
-  return row.found.hand ? json_of(row.found.hand->values.at(kNumber)) : Json();
+  const bool has_number = row.found.hand && kNumber < worst_hand::number_count(row.motion);
+  return has_number ? json_of(row.found.hand->values.at(kNumber)) : Json();
 }
 Json most_of(const Row& row) { return row.found.hand ? json_of(row.found.most_j()) : Json(); }
 Json power_of(const Row& row) {
@@ -44,7 +47,7 @@ Json power_of(const Row& row) {
 // The numbers of the hand that sit at a bound, separated by spaces; "" without a hand.
 std::string numbers_at_bounds(const Row& row) {
   std::string names;
-  for (std::size_t i = 0; row.found.hand && i < worst_hand::kHandNumbers; ++i) {
+  for (std::size_t i = 0; row.found.hand && i < worst_hand::number_count(row.motion); ++i) {
     if (!worst_hand::is_at_bound(row.found.hand->values, i, row.bounds)) continue;
     names += (names.empty() ? "" : " ") + std::string(kHandNumberList.at(i).key);
   }
@@ -81,7 +84,9 @@ constexpr Field<Row> hand_field(std::string_view title) {
           number_text_of<kNumber>};
 }
 
-constexpr std::array<Field<Row>, 19> kFields{
+constexpr Field<Row> kSpeed = hand_field<6>("v");
+
+constexpr std::array<Field<Row>, 22> kFields{
     {{"algorithm", [](const Row& r) { return json_of(r.algorithm); }, "algorithm", "", kAsIs,
       nullptr, Align::kLeft},
      {"hands", [](const Row& r) { return json_of(r.found.hands); }, "hands", ""},
@@ -94,6 +99,7 @@ constexpr std::array<Field<Row>, 19> kFields{
      {"least_j", [](const Row& r) { return of_hand(r, &FoundHand::least_j); }, "least", "J",
       kThree},
      {"taken_j", [](const Row& r) { return of_hand(r, &FoundHand::taken_j); }},
+     {"taken_at_rest_j", [](const Row& r) { return of_hand(r, &FoundHand::taken_at_rest_j); }},
      {"last_second_w", power_of, "power", "W", kThree},
      hand_field<0>("m_h"),
      hand_field<1>("k_h"),
@@ -101,36 +107,55 @@ constexpr std::array<Field<Row>, 19> kFields{
      hand_field<3>("k_g"),
      hand_field<4>("b_g"),
      hand_field<5>("press"),
+     {kSpeed.key, kSpeed.value},
      {"at_bound",
       [](const Row& r) { return r.found.hand ? json_of(numbers_at_bounds(r)) : Json(); }},
      {"needed_damping_n_s_per_m", needed_damping},
      {"unstable_spring_from_n_per_m",
       [](const Row& r) { return springs_of(r) ? json_of(springs_of(r)->from_n_per_m) : Json(); }},
      {"unstable_spring_to_n_per_m",
-      [](const Row& r) { return springs_of(r) ? json_of(springs_of(r)->to_n_per_m) : Json(); }}}};
+      [](const Row& r) { return springs_of(r) ? json_of(springs_of(r)->to_n_per_m) : Json(); }},
+     {"critical_mass_kg",
+      [](const Row& r) { return r.criterion ? json_of(r.criterion->critical_mass_kg) : Json(); }}}};
+
+// The sheet has a column for the speed of ramps only.
+std::vector<Field<Row>> fields_of(Motion motion) {
+  std::vector<Field<Row>> fields(kFields.begin(), kFields.end());
+  if (motion == Motion::kRamp) *std::ranges::find(fields, kSpeed.key, &Field<Row>::key) = kSpeed;
+  return fields;
+}
 
 Json conditions(const worst_hand::Plan& plan) {
   return {{"scene", plan.scene.name},
           {"duration_s", json_of(plan.scene.duration_s)},
           {"wall_stiffness_n_per_m", json_of(plan.scene.x().walls.front().stiffness_n_per_m)},
           {"bounds", kBoundsNames.at(static_cast<std::size_t>(plan.bounds))},
+          {"motion", kMotionNames.at(static_cast<std::size_t>(plan.motion))},
           {"seed", plan.seed},
           {"planned_hands", plan.hands}};
 }
 
 std::string heading(const worst_hand::Plan& plan) {
   const auto& bounds = kBoundsNames.at(static_cast<std::size_t>(plan.bounds));
+  const char* motion = plan.motion == Motion::kRamp
+                           ? "ramps from the handle into the wall; energy counts after their end"
+                           : "let go at rest in front of the wall";
   return fmt::format(
       "{}: a search for a hand that takes energy, wall of {} kN/m, {:g} s each\n"
-      "hands: let go at rest in front of the wall; {} bounds, seed {}\n",
+      "hands: {}; {} bounds, seed {}\n",
       plan.scene.name, table::kilonewtons_per_metre(plan.scene.x().walls.front().stiffness_n_per_m),
-      plan.scene.duration_s, bounds, plan.seed);
+      plan.scene.duration_s, motion, bounds, plan.seed);
 }
 
 std::string spring_text(const worst_hand::SpringRange& springs) {
   const std::string from = fmt::format("{:.6g}", springs.from_n_per_m);
   if (!springs.to_n_per_m) return fmt::format("springs above {} N/m are unstable", from);
   return fmt::format("springs of {} to {:.6g} N/m are unstable", from, *springs.to_n_per_m);
+}
+
+std::string mass_text(double critical_kg) {
+  if (critical_kg == 0.0) return "every mass is unstable";
+  return fmt::format("handle and hand of more than {:.6g} kg in all are unstable", critical_kg);
 }
 
 // One line for each linear loop, whose answer is exact.
@@ -145,6 +170,7 @@ std::string criterion_lines(const worst_hand::Plan& plan, const std::vector<Row>
         "{:g}; ",
         row.algorithm, needed, damping);
     text += springs_of(row) ? spring_text(*springs_of(row)) : "no spring is unstable";
+    if (row.criterion->critical_mass_kg) text += "; " + mass_text(*row.criterion->critical_mass_kg);
     text += "\n";
   }
   return text;
@@ -174,8 +200,9 @@ std::string scene_text(const std::vector<Row>& rows) {
   const Row& row = *std::ranges::max_element(rows, {}, typical);
   if (!row.found.hand) return "";
   Scene scene = row.found.hand->scene;
-  scene.description = fmt::format("Found by worst-hand: this hand takes {} J under {}",
-                                  file::shortest_number(row.found.hand->taken_j), row.algorithm);
+  scene.description =
+      fmt::format("Found by worst-hand: this hand takes {} J under {}",
+                  file::shortest_number(row.found.hand->taken_at_rest_j), row.algorithm);
   return file::scene_to_toml(scene);
 }
 
@@ -185,6 +212,10 @@ std::string wrong_seed(std::string_view text) {
 std::string wrong_bounds(std::string_view text) {
   return std::ranges::find(kBoundsNames, text) != kBoundsNames.end() ? ""
                                                                      : "it takes wide or narrow";
+}
+std::string wrong_motion(std::string_view text) {
+  return std::ranges::find(kMotionNames, text) != kMotionNames.end() ? ""
+                                                                     : "it takes let-go or ramp";
 }
 std::string wrong_seconds(std::string_view text) {
   if (text.empty()) return "";
@@ -228,7 +259,7 @@ std::optional<Outcome> compute(const Task& task, const Means& means) {
     }
     std::optional<worst_hand::Found> found = worst_hand::search(plan, options);
     if (!found) return std::nullopt;
-    rows.push_back({algorithm.label, plan.bounds, std::move(*found),
+    rows.push_back({algorithm.label, plan.bounds, plan.motion, std::move(*found),
                     worst_hand::damping_criterion(plan.scene)});
   }
   return outcome_of(task.plan, rows);
@@ -242,6 +273,7 @@ Result<Run> plan(const Scene& scene, const Choices& choices) {
   task.plan.hands = *file::parsed<std::uint64_t>(chosen("hands"));
   task.plan.seed = *file::parsed<std::uint64_t>(chosen("seed"));
   task.plan.bounds = chosen("bounds") == "wide" ? Bounds::kWide : Bounds::kNarrow;
+  task.plan.motion = chosen("motion") == "ramp" ? Motion::kRamp : Motion::kLetGo;
   task.seconds = file::parsed<double>(chosen("seconds"));
   task.algorithms = rows_of(scene, chosen("algorithms"));
   if (const auto problem = worst_hand::problem_of(task.plan.scene, task.plan.bounds))
@@ -258,7 +290,7 @@ std::string wrong_hands(std::string_view text) {
 }
 
 Outcome outcome_of(const worst_hand::Plan& plan, const std::vector<Row>& rows) {
-  Outcome outcome = study::outcome_of<Row>(kFields, conditions(plan), rows);
+  Outcome outcome = study::outcome_of<Row>(fields_of(plan.motion), conditions(plan), rows);
   outcome.sheet.heading = heading(plan);
   outcome.sheet.marks = marks(plan, rows);
   outcome.figure = gains_figure(plan, rows);
@@ -292,6 +324,9 @@ const Study& worst_hand_study() {
                   {"seed", "N", "Seed of the search; default 1", "1", hands::wrong_seed},
                   {"bounds", "wide|narrow", "Bounds of the hands; default wide", "wide",
                    hands::wrong_bounds},
+                  {"motion", "let-go|ramp",
+                   "Path of the hands: one point, or a ramp into the wall; default let-go",
+                   "let-go", hands::wrong_motion},
                   {"seconds", "S", "End each search after this time with the hands so far", "",
                    hands::wrong_seconds}},
       .stages = {{{"hands", "1500"}}, {}},

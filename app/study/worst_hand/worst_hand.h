@@ -17,6 +17,7 @@ namespace hapticwall::study::hands {
 struct Row {
   std::string algorithm;
   worst_hand::Bounds bounds = worst_hand::Bounds::kWide;
+  worst_hand::Motion motion = worst_hand::Motion::kLetGo;
   worst_hand::Found found;
   std::optional<worst_hand::DampingCriterion> criterion;  // of a linear loop
 };

@@ -40,7 +40,8 @@ double exponential(double x) {
 
 }  // namespace
 
-CmaEs::CmaEs(const HandPoint& start, std::size_t population)
+template <std::size_t kNumbers>
+CmaEs<kNumbers>::CmaEs(const HandPoint& start, std::size_t population)
     : population_(population), sigma_(kFirstSigma) {
   for (int i = 0; i < kSize; ++i) mean_(i) = out_of_cube(start.at(static_cast<std::size_t>(i)));
   const double middle = 0.5 * (static_cast<double>(population) + 1.0);
@@ -55,7 +56,8 @@ CmaEs::CmaEs(const HandPoint& start, std::size_t population)
   effective_ = 1.0 / squares;
 }
 
-std::vector<HandPoint> CmaEs::ask(Random& random) {
+template <std::size_t kNumbers>
+std::vector<HandPoint> CmaEs<kNumbers>::ask(Random& random) {
   std::vector<HandPoint> points(population_);
   steps_.clear();
   for (HandPoint& point : points) {
@@ -68,7 +70,8 @@ std::vector<HandPoint> CmaEs::ask(Random& random) {
   return points;
 }
 
-void CmaEs::tell(std::span<const double> scores) {
+template <std::size_t kNumbers>
+void CmaEs<kNumbers>::tell(std::span<const double> scores) {
   std::vector<std::size_t> order(population_);
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::stable_sort(order, std::ranges::greater(), [&](std::size_t i) { return scores[i]; });
@@ -81,7 +84,8 @@ void CmaEs::tell(std::span<const double> scores) {
 }
 
 // Equations and names of the tutorial's appendix A.
-void CmaEs::move_mean(const std::vector<std::size_t>& order) {
+template <std::size_t kNumbers>
+void CmaEs<kNumbers>::move_mean(const std::vector<std::size_t>& order) {
   constexpr double n = kSize;
   const double mu = effective_;
   const double cc = (4.0 + mu / n) / (n + 4.0 + 2.0 * mu / n);
@@ -112,15 +116,20 @@ void CmaEs::move_mean(const std::vector<std::size_t>& order) {
   sigma_ *= exponential(std::min(1.0, cs / damps * (length / normal_length - 1.0)));
 }
 
-void CmaEs::decompose() {
+template <std::size_t kNumbers>
+void CmaEs<kNumbers>::decompose() {
   constexpr double kMinVariance = 1e-20;
   const Eigen::SelfAdjointEigenSolver<Matrix> solver(covariance_);
   axes_ = solver.eigenvectors();
   lengths_ = solver.eigenvalues().cwiseMax(kMinVariance).cwiseSqrt();
 }
 
-bool CmaEs::is_over() const {
+template <std::size_t kNumbers>
+bool CmaEs<kNumbers>::is_over() const {
   return sigma_ * lengths_.maxCoeff() < kMinSpread || generations_without_better_ > kMaxPatience;
 }
+
+template class CmaEs<number_count(Motion::kLetGo)>;
+template class CmaEs<number_count(Motion::kRamp)>;
 
 }  // namespace hapticwall::worst_hand

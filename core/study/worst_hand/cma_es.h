@@ -11,11 +11,12 @@
 
 namespace hapticwall::worst_hand {
 
-// Maximises a score with a population of fixed size.
+// Maximises a score of the first kNumbers numbers of a hand, with a population of fixed size.
 //
 // Source: Hansen, "The CMA evolution strategy: a tutorial", arXiv:1604.00772, with its default
 // constants. A smooth periodic transform maps all numbers into the cube, so that a maximum at a
 // bound is one inside. Realtime-safe: no.
+template <std::size_t kNumbers>
 class CmaEs {
  public:
   CmaEs(const HandPoint& start, std::size_t population);
@@ -28,7 +29,7 @@ class CmaEs {
   [[nodiscard]] bool is_over() const;
 
  private:
-  static constexpr int kSize = static_cast<int>(kHandNumbers);
+  static constexpr int kSize = static_cast<int>(kNumbers);
   using Vector = Eigen::Matrix<double, kSize, 1>;
   using Matrix = Eigen::Matrix<double, kSize, kSize>;
 
@@ -50,5 +51,8 @@ class CmaEs {
   double best_ = -1e300;
   std::uint32_t generations_without_better_ = 0;
 };
+
+extern template class CmaEs<number_count(Motion::kLetGo)>;
+extern template class CmaEs<number_count(Motion::kRamp)>;
 
 }  // namespace hapticwall::worst_hand

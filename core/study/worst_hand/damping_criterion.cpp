@@ -100,9 +100,9 @@ double needed_damping(const Transfer& transfer, double period_s, double delay_ti
   return needed(best_angle);
 }
 
-// True if a root of the polynomial lies outside of the unit circle of z.
-bool has_unstable_root(Polynomial polynomial) {
-  constexpr double kOnCircle = 1e-11;
+// True if a root of the polynomial lies outside of the unit circle of z. A root within `margin` of
+// it counts as one on it.
+bool has_unstable_root(Polynomial polynomial, double margin) {
   while (polynomial.back() == 0.0) polynomial.pop_back();
   const auto size = static_cast<Eigen::Index>(polynomial.size() - 1);
   Eigen::MatrixXd companion = Eigen::MatrixXd::Zero(size, size);
@@ -110,15 +110,22 @@ bool has_unstable_root(Polynomial polynomial) {
   for (Eigen::Index i = 0; i < size; ++i)
     companion(i, size - 1) = -polynomial[static_cast<std::size_t>(i)] / polynomial.back();
   const Eigen::VectorXcd roots = companion.eigenvalues();
-  return ((roots.array() + 1.0).abs() > 1.0 + kOnCircle).any();
+  // |1 + w|² - 1, without the rounding of a number near 1.
+  return (2.0 * roots.array().real() + roots.array().abs2() > 2.0 * margin).any();
 }
 
-bool is_unstable(const Scene& scene, const Transfer& transfer, double spring_n_per_m) {
+// The handle with what holds it, as a mass and a spring to ground.
+struct Held {
+  double mass_kg;
+  double spring_n_per_m;
+};
+
+bool is_unstable(const Scene& scene, const Transfer& transfer, const Held& held, double margin) {
   const DeviceSettings& device = scene.x().device;
   SampledLoop loop;
-  loop.plant.mass_kg = device.mass_kg;
+  loop.plant.mass_kg = held.mass_kg;
   loop.plant.damping_n_s_per_m = device.damping_n_s_per_m;
-  loop.plant.hand_stiffness_n_per_m = spring_n_per_m;
+  loop.plant.hand_stiffness_n_per_m = held.spring_n_per_m;
   loop.period_s = scene.sampling.period_s();
   const PulseTransfer plant = pulse_transfer(loop);
   const auto states = static_cast<std::ptrdiff_t>(plant.states);
@@ -127,17 +134,20 @@ bool is_unstable(const Scene& scene, const Transfer& transfer, double spring_n_p
   for (int i = 0; i < device.delay_ticks.value_or(0); ++i) open = product(open, {1.0, 1.0});
   const Polynomial closed =
       product({plant.numerator.begin(), plant.numerator.begin() + states}, transfer.numerator);
-  const double scale = loop.period_s * loop.period_s / device.mass_kg;
+  const double scale = loop.period_s * loop.period_s / held.mass_kg;
   for (std::size_t i = 0; i < closed.size(); ++i) open[i] += scale * closed[i];
-  return has_unstable_root(open);
+  return has_unstable_root(open, margin);
 }
 
 std::optional<SpringRange> unstable_springs(const Scene& scene, const Transfer& transfer) {
   constexpr int kSprings = 400;
+  constexpr double kMargin = 1e-11;
   const double rate_hz = scene.sampling.rate_hz;
   const double stiffest =
       scene.x().device.mass_kg * std::numbers::pi * std::numbers::pi * rate_hz * rate_hz;
-  const auto is_unstable_at = [&](double spring) { return is_unstable(scene, transfer, spring); };
+  const auto is_unstable_at = [&](double spring) {
+    return is_unstable(scene, transfer, {scene.x().device.mass_kg, spring}, kMargin);
+  };
   // The spring between these two at which the answer changes.
   const auto change = [&](double low, double high) {
     const bool at_low = is_unstable_at(low);
@@ -163,6 +173,29 @@ std::optional<SpringRange> unstable_springs(const Scene& scene, const Transfer& 
   return range;
 }
 
+std::optional<double> critical_mass(const Scene& scene, const Transfer& transfer) {
+  constexpr double kHeaviest = 100.0;
+  constexpr double kLightest = 1e-6;
+  constexpr double kRatio = 0.9;     // of the scan
+  constexpr double kMargin = 1e-13;  // a heavy mass grows slowly
+  const auto is_unstable_at = [&](double mass) {
+    return is_unstable(scene, transfer, {mass, 0.0}, kMargin);
+  };
+  double unstable = kHeaviest;
+  if (!is_unstable_at(unstable)) return std::nullopt;
+  double stable = kRatio * unstable;
+  while (stable > kLightest && is_unstable_at(stable)) {
+    unstable = stable;
+    stable *= kRatio;
+  }
+  if (stable <= kLightest) return 0.0;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = 0.5 * (stable + unstable);
+    (is_unstable_at(middle) ? unstable : stable) = middle;
+  }
+  return unstable;
+}
+
 }  // namespace
 
 std::optional<DampingCriterion> damping_criterion(const Scene& scene) {
@@ -184,7 +217,7 @@ std::optional<DampingCriterion> damping_criterion(const Scene& scene) {
   const Transfer transfer = transfer_of(scene, name);
   return DampingCriterion{
       needed_damping(transfer, scene.sampling.period_s(), device.delay_ticks.value_or(0)),
-      unstable_springs(scene, transfer)};
+      unstable_springs(scene, transfer), critical_mass(scene, transfer)};
 }
 
 }  // namespace hapticwall::worst_hand

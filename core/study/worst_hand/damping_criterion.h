@@ -23,6 +23,9 @@ struct DampingCriterion {
   // The softest springs with which the loop is unstable, by eigenvalues. nullopt: there are none.
   // A loop with too little damping may have none: another hand then shows it.
   std::optional<SpringRange> unstable_springs;
+  // Mass of handle and hand in all, kg: the loop is unstable with each larger one up to 100 kg, by
+  // its eigenvalues. 0: it is so with every mass. nullopt: 100 kg are stable.
+  std::optional<double> critical_mass_kg;
 };
 
 // The criterion of axis x, while the handle stays in its wall. nullopt unless the loop is linear:

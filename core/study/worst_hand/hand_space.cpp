@@ -23,6 +23,8 @@ double geometric(const ValueRange& range, double place) {
   return value;
 }
 
+constexpr std::size_t kPress = 5;
+
 const WallSettings& outermost_wall(const Scene& scene) {
   return *std::ranges::min_element(scene.x().walls, {}, &WallSettings::position_m);
 }
@@ -44,8 +46,8 @@ bool is_at_bound(const HandValues& values, std::size_t number, Bounds bounds) {
   return values.at(number) < kNear * range.minimum || kNear * values.at(number) > range.maximum;
 }
 
-Scene with_hand(const Scene& scene, const HandValues& values) {
-  const auto [mass, stiffness, damping, grip_stiffness, grip_damping, press_n] = values;
+Scene with_hand(const Scene& scene, const HandValues& values, Motion motion) {
+  const auto [mass, stiffness, damping, grip_stiffness, grip_damping, press_n, speed] = values;
   const WallSettings& wall = outermost_wall(scene);
   HandSettings hand;
   hand.mass_kg = mass;
@@ -53,11 +55,16 @@ Scene with_hand(const Scene& scene, const HandValues& values) {
   hand.damping_n_s_per_m = damping;
   hand.grip_stiffness_n_per_m = grip_stiffness;
   hand.grip_damping_n_s_per_m = grip_damping;
-  hand.path = {{0.0, wall.position_m + press_n / stiffness + press_n / wall.stiffness_n_per_m}};
+  const double start_m = scene.x().device.start_m;
+  const double end_m = wall.position_m + press_n / stiffness + press_n / wall.stiffness_n_per_m;
+  hand.path = {{0.0, end_m}};
+  if (motion == Motion::kRamp) hand.path = {{0.0, start_m}, {(end_m - start_m) / speed, end_m}};
   Scene with = scene;
   with.x().hand = std::move(hand);
   return with;
 }
+
+double rest_s(const Scene& scene) { return scene.x().hand->path.back().time_s; }
 
 std::optional<SceneProblem> problem_of(const Scene& scene, Bounds bounds) {
   if (scene.x().walls.empty()) return SceneProblem{"wall", "the search needs a wall"};
@@ -68,7 +75,7 @@ std::optional<SceneProblem> problem_of(const Scene& scene, Bounds bounds) {
     return SceneProblem{"device.start_m", "the search starts in front of the walls"};
   // The farthest path: the strongest press of the softest hand.
   HandPoint farthest{};
-  farthest.back() = 1.0;
+  farthest.at(kPress) = 1.0;
   return validate(with_hand(scene, values_at(farthest, bounds)));
 }
 

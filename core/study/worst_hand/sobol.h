@@ -13,7 +13,8 @@ namespace hapticwall::worst_hand {
 // shifted by random bits. Realtime-safe: yes.
 class Sobol {
  public:
-  explicit Sobol(Random& random);
+  // Points of the first `numbers` dimensions; the others are 0.
+  Sobol(Random& random, std::size_t numbers);
   // Precondition: fewer than 2^32 points so far.
   [[nodiscard]] HandPoint next();
 
@@ -22,6 +23,7 @@ class Sobol {
 
   std::array<std::array<std::uint32_t, kBits>, kHandNumbers> directions_{};
   std::array<std::uint32_t, kHandNumbers> now_{};
+  std::size_t numbers_;
   std::uint32_t count_ = 0;
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <span>
 #include <utility>
@@ -24,12 +25,38 @@ constexpr double kNeighbourhood = 0.01;
 // copies of one lucky hand.
 constexpr double kDistinct = 0.1;
 
+// N after the path's end. Add the values in the order of time.
+class RestEnergy {
+ public:
+  explicit RestEnergy(double rest_s) : rest_s_(rest_s) {}
+
+  void add(double time_s, double net_work_j) {
+    if (time_s < rest_s_) return;
+    if (!at_rest_j_) at_rest_j_ = std::min(net_work_j, 0.0);
+    least_j_ = std::min(least_j_, net_work_j);
+  }
+  [[nodiscard]] double taken_j() const {
+    return at_rest_j_ ? std::max(0.0, *at_rest_j_ - least_j_) : 0.0;
+  }
+
+ private:
+  double rest_s_;
+  std::optional<double> at_rest_j_;
+  double least_j_ = std::numeric_limits<double>::infinity();
+};
+
+struct HandRun {
+  Summary summary;
+  double taken_at_rest_j = 0.0;
+};
+
 double taken_j(const Summary& run) { return std::max(0.0, -run.passivity_margin_j.value_or(0.0)); }
 
 // Energy taken. Without any, a negative number: how much of the device's damping the actuator gave.
-double score_of(const Summary& run) {
+double score_of(const HandRun& hand) {
   constexpr double kSmall = 1e-12;  // every hand that takes energy ranks above
-  if (taken_j(run) > kFoundJ) return taken_j(run);
+  if (hand.taken_at_rest_j > kFoundJ) return hand.taken_at_rest_j;
+  const Summary& run = hand.summary;
   const double lost_j = run.true_dissipation_j.value_or(0.0);
   const double given_j = -run.true_actuator_work_j.value_or(0.0);
   return kSmall * ((lost_j > 0.0 ? std::clamp(given_j / lost_j, -1.0, 1.0) : -1.0) - 1.0);
@@ -43,11 +70,13 @@ bool are_distinct(const HandValues& a, const HandValues& b) {
 }
 
 // Every hand gets the same offsets, so that their medians compare.
-std::vector<HandValues> neighbours_of(const HandValues& values, std::uint64_t seed) {
+std::vector<HandValues> neighbours_of(const HandValues& values, std::size_t numbers,
+                                      std::uint64_t seed) {
   Random random(seed);
   std::vector<HandValues> neighbours(kNeighbours, values);
   for (HandValues& neighbour : neighbours) {
-    for (double& value : neighbour) value *= 1.0 + kNeighbourhood * (2.0 * random.uniform() - 1.0);
+    for (double& value : std::span(neighbour).first(numbers))
+      value *= 1.0 + kNeighbourhood * (2.0 * random.uniform() - 1.0);
   }
   return neighbours;
 }
@@ -55,11 +84,13 @@ std::vector<HandValues> neighbours_of(const HandValues& values, std::uint64_t se
 class Search {
  public:
   Search(const Plan& plan, const SearchOptions& options)
-      : plan_(plan), options_(options), random_(plan.seed), sobol_(random_) {}
+      : plan_(plan), options_(options), random_(plan.seed), sobol_(random_, numbers()) {}
 
   std::optional<Found> run() {
     for (HandPoint start = best_of_new(kFirstHands); !over(); start = best_of_new(kRestartHands)) {
-      climb(start, kPopulations.at(climbs_++ % kPopulations.size()));
+      const std::size_t population = kPopulations.at(climbs_++ % kPopulations.size());
+      plan_.motion == Motion::kRamp ? climb<number_count(Motion::kRamp)>(start, population)
+                                    : climb<number_count(Motion::kLetGo)>(start, population);
     }
     rank();
     if (stopped_) return std::nullopt;
@@ -71,7 +102,10 @@ class Search {
   struct Tried {
     HandValues values;
     double taken_j;
+    double taken_at_rest_j;
   };
+
+  [[nodiscard]] std::size_t numbers() const { return number_count(plan_.motion); }
 
   [[nodiscard]] bool over() {
     return stopped_ || found_.hands >= plan_.hands ||
@@ -91,8 +125,9 @@ class Search {
                                                             scores.begin())];
   }
 
+  template <std::size_t kNumbers>
   void climb(const HandPoint& start, std::size_t population) {
-    CmaEs climber(start, population);
+    CmaEs<kNumbers> climber(start, population);
     while (!over() && !climber.is_over()) {
       const std::vector<double> scores = try_hands(climber.ask(random_));
       if (scores.size() < population) return;
@@ -106,16 +141,16 @@ class Search {
     std::vector<HandValues> hands;
     hands.reserve(points.size());
     for (const HandPoint& point : points) hands.push_back(values_at(point, plan_.bounds));
-    const std::vector<std::optional<Summary>> runs = run_hands(hands);
+    const std::vector<std::optional<HandRun>> runs = run_hands(hands);
     std::vector<double> scores;
     for (std::size_t i = 0; i < runs.size(); ++i) {
       ++found_.hands;
-      const double taken = runs[i] ? taken_j(*runs[i]) : 0.0;
+      const double taken = runs[i] ? runs[i]->taken_at_rest_j : 0.0;
       found_.refused += runs[i] ? 0U : 1U;
       scores.push_back(runs[i] ? score_of(*runs[i]) : -1.0);
       if (!(taken > kFoundJ)) continue;
       if (taken > found_.most_j()) found_.gains.push_back({found_.hands, taken});
-      tried_.push_back({hands[i], taken});
+      tried_.push_back({hands[i], taken_j(runs[i]->summary), taken});
     }
     tell_progress(static_cast<double>(found_.hands) / planned_runs());
     return scores;
@@ -125,21 +160,18 @@ class Search {
   }
 
   // nullopt for a hand that the integrator refuses. Empty if the search was stopped.
-  std::vector<std::optional<Summary>> run_hands(std::span<const HandValues> hands) {
+  std::vector<std::optional<HandRun>> run_hands(std::span<const HandValues> hands) {
     std::vector<Scene> scenes;
     scenes.reserve(hands.size());
-    for (const HandValues& hand : hands) scenes.push_back(with_hand(plan_.scene, hand));
+    for (const HandValues& hand : hands)
+      scenes.push_back(with_hand(plan_.scene, hand, plan_.motion));
     std::vector<std::size_t> places(hands.size());
     std::iota(places.begin(), places.end(), std::size_t{0});
-    std::vector<std::optional<Summary>> runs(hands.size());
+    std::vector<std::optional<HandRun>> runs(hands.size());
     for (;;) try {
-        BatchResult batch = simulate_batch(
-            scenes,
-            {.threads = options_.threads, .should_stop = options_.should_stop, .progress = {}});
-        stopped_ = batch.stopped_early;
+        std::vector<HandRun> batch = run_scenes(scenes);
         if (stopped_) return {};
-        for (std::size_t i = 0; i < places.size(); ++i)
-          runs[places[i]] = std::move(batch.summaries[i]);
+        for (std::size_t i = 0; i < places.size(); ++i) runs[places[i]] = std::move(batch[i]);
         return runs;
       } catch (const SceneRefused& refused) {
         const auto index = static_cast<std::ptrdiff_t>(refused.scene);
@@ -147,10 +179,36 @@ class Search {
         places.erase(places.begin() + index);
       }
   }
+  std::vector<HandRun> run_scenes(std::span<const Scene> scenes) {
+    std::vector<RestEnergy> energies;
+    BatchOptions batch{.threads = options_.threads,
+                       .should_stop = options_.should_stop,
+                       .progress = {},
+                       .on_sample = {}};
+    if (plan_.motion == Motion::kRamp) {
+      for (const Scene& scene : scenes) energies.emplace_back(rest_s(scene));
+      batch.on_sample = [&](std::size_t scene, const Sample& sample) {
+        energies[scene].add(sample.time_s, sample.truth.hand_work_j);
+      };
+    }
+    BatchResult result = simulate_batch(scenes, batch);
+    stopped_ = result.stopped_early;
+    std::vector<HandRun> runs;
+    for (std::size_t i = 0; i < scenes.size() && !stopped_; ++i) {
+      Summary& summary = *result.summaries[i];
+      double taken = taken_j(summary);
+      if (plan_.motion == Motion::kRamp) {
+        energies[i].add(summary.duration_s, *summary.true_hand_work_j);
+        taken = energies[i].taken_j();
+      }
+      runs.push_back({std::move(summary), taken});
+    }
+    return runs;
+  }
 
   // The hands that took most, without copies of a better one.
   std::vector<Tried> best_distinct() {
-    std::ranges::stable_sort(tried_, std::ranges::greater(), &Tried::taken_j);
+    std::ranges::stable_sort(tried_, std::ranges::greater(), &Tried::taken_at_rest_j);
     std::vector<Tried> best;
     for (const Tried& tried : tried_) {
       if (best.size() == kMaxRanked) break;
@@ -166,24 +224,26 @@ class Search {
     const std::uint64_t seed = random_.bits();
     const std::vector<Tried> best = best_distinct();
     for (std::size_t i = 0; i < best.size() && !stopped_; ++i) {
-      std::vector<double> taken = taken_by(neighbours_of(best[i].values, seed));
+      std::vector<double> taken = taken_by(neighbours_of(best[i].values, numbers(), seed));
       if (stopped_) return;
       std::ranges::sort(taken);
       const double median = 0.5 * (taken[kNeighbours / 2 - 1] + taken[kNeighbours / 2]);
       if (!found_.hand || median > found_.hand->typical_j) {
-        found_.hand = FoundHand{best[i].values, {}, best[i].taken_j, median, taken.front(), {}};
+        found_.hand =
+            FoundHand{best[i].values, {}, best[i].taken_j, best[i].taken_at_rest_j, median,
+                      taken.front(),  {}};
       }
       const auto runs = static_cast<double>(found_.hands + (i + 1) * kNeighbours);
       tell_progress(runs / planned_runs());
     }
     if (!found_.hand || stopped_) return;
-    found_.hand->scene = with_hand(plan_.scene, found_.hand->values);
+    found_.hand->scene = with_hand(plan_.scene, found_.hand->values, plan_.motion);
     found_.hand->last_second_w = last_second_w(found_.hand->scene);
   }
   std::vector<double> taken_by(const std::vector<HandValues>& hands) {
     std::vector<double> taken;
-    for (const std::optional<Summary>& run : run_hands(hands))
-      taken.push_back(run ? taken_j(*run) : 0.0);
+    for (const std::optional<HandRun>& run : run_hands(hands))
+      taken.push_back(run ? run->taken_at_rest_j : 0.0);
     return taken;
   }
 

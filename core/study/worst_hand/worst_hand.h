@@ -26,14 +26,19 @@ struct Plan {
   std::uint64_t hands = 10'000;
   std::uint64_t seed = 1;
   Bounds bounds = Bounds::kWide;
+  Motion motion = Motion::kLetGo;
 };
 
-// A hand that took energy. N(t) is its net work on the handle from the start on.
+// A hand that took energy. N(t) is its net work on the handle from the start on, and t_r the time
+// of its path's last point. The search maximises
+//   taken_at_rest_j = max(0, min(N(t_r), 0) - min N over t >= t_r),
+// which no muscle has paid for. It is -min N for a hand that is let go, whose t_r is 0.
 struct FoundHand {
   HandValues values{};
-  Scene scene;             // axis x with this hand
-  double taken_j = 0.0;    // -min N; the run of `scene` has it as -passivity_margin_j
-  double typical_j = 0.0;  // median of the same over the neighbours
+  Scene scene;           // axis x with this hand
+  double taken_j = 0.0;  // -min N; the run of `scene` has it as -passivity_margin_j
+  double taken_at_rest_j = 0.0;
+  double typical_j = 0.0;  // median of taken_at_rest_j over the neighbours
   double least_j = 0.0;    // minimum over the neighbours
   // Mean power to the hand in the last second; nullopt for a shorter run.
   std::optional<double> last_second_w;
@@ -42,7 +47,7 @@ struct FoundHand {
 // A hand that took more than all before it.
 struct Gain {
   std::uint64_t hand = 0;  // its number, from 1 on
-  double taken_j = 0.0;
+  double taken_at_rest_j = 0.0;
 };
 
 struct Found {
@@ -62,7 +67,7 @@ struct Found {
     summary.typical_taken_j = hand->typical_j;
   }
   // The largest energy of all hands.
-  [[nodiscard]] double most_j() const { return gains.empty() ? 0.0 : gains.back().taken_j; }
+  [[nodiscard]] double most_j() const { return gains.empty() ? 0.0 : gains.back().taken_at_rest_j; }
   // Number of the first hand that took energy; nullopt if none did.
   [[nodiscard]] std::optional<std::uint64_t> first() const {
     return gains.empty() ? std::nullopt : std::optional(gains.front().hand);
@@ -79,7 +84,8 @@ struct SearchOptions {
 };
 
 // Tries 1024 hands of a Sobol sequence, then populations of CMA-ES; then ranks. nullopt if
-// `should_stop` returned true. The same bits for any number of threads, unless the time was up.
+// `should_stop` returned true. Ramps take longer, because every sample is looked at. The same bits
+// for any number of threads, unless the time was up.
 // Precondition: problem_of() of the scene is nullopt. Realtime-safe: no.
 [[nodiscard]] std::optional<Found> search(const Plan& plan, const SearchOptions& options = {});
 

@@ -67,9 +67,10 @@ TEST(WorstHandStudy, TheCsvHasTheBoundsAndTheSeed) {
   const Outcome result =
       outcome(tap(1.0), {{"hands", "100"}, {"bounds", "narrow"}, {"seed", "18446744073709551615"}});
   EXPECT_THAT(result.csv,
-              StartsWith("scene,duration_s,wall_stiffness_n_per_m,bounds,seed,planned_hands,"
+              StartsWith("scene,duration_s,wall_stiffness_n_per_m,bounds,motion,seed,planned_hands,"
                          "algorithm,hands,refused_hands,first_hand,most_j,typical_j,least_j,"));
-  EXPECT_THAT(result.csv, HasSubstr(",narrow,18446744073709551615,100,energy-bounding,100,0,"));
+  EXPECT_THAT(result.csv,
+              HasSubstr(",narrow,let-go,18446744073709551615,100,energy-bounding,100,0,"));
 }
 
 TEST(WorstHandStudy, ALinearLoopHasItsCriterion) {
@@ -84,7 +85,29 @@ TEST(WorstHandStudy, ALinearLoopHasItsCriterion) {
   EXPECT_THAT(
       result.sheet.marks,
       HasSubstr("under none, in contact, no hand takes energy if b > 1.25 N s/m; this device has "
-                "1; springs of 0 to 128810 N/m are unstable\n"));
+                "1; springs of 0 to 128810 N/m are unstable; handle and hand of more than "
+                "0.000813052 kg in all are unstable\n"));
+  scene.x().walls.front().stiffness_n_per_m = 2010.0;
+  EXPECT_THAT(outcome(scene, {{"hands", "1"}, {"algorithms", "none"}}).sheet.marks,
+              HasSubstr("handle and hand of more than 0.0334995 kg in all are unstable\n"));
+}
+
+TEST(WorstHandStudy, RampsHaveASpeedAndTheEnergyAfterTheirEnd) {
+  const Outcome result =
+      outcome(tap(1.5), {{"hands", "100"}, {"algorithms", "none"}, {"motion", "ramp"}});
+  const auto json = nlohmann::json::parse(result.json);
+  EXPECT_EQ(json.at("motion"), "ramp");
+  const auto& row = json.at("rows")[0];
+  EXPECT_GE(row.at("speed_m_per_s").get<double>(), 0.01);
+  EXPECT_GT(row.at("taken_at_rest_j").get<double>(), 0.0);
+  EXPECT_THAT(table::sheet_text(result.sheet), HasSubstr("energy counts after their end"));
+  const auto scene = file::parse_scene(result.scene, "found.toml");
+  ASSERT_TRUE(scene.ok()) << result.scene;
+  EXPECT_EQ(row.at("taken_j"), -*simulate(scene->scene).summary.passivity_margin_j);
+  const Outcome let_go = outcome(tap(1.5), {{"hands", "20"}, {"algorithms", "none"}});
+  const auto other = nlohmann::json::parse(let_go.json).at("rows")[0];
+  EXPECT_TRUE(other.at("speed_m_per_s").is_null());
+  EXPECT_EQ(other.at("taken_j"), other.at("taken_at_rest_j"));
 }
 
 TEST(WorstHandStudy, TheTimeEndsASearchWithTheHandsSoFar) {
@@ -100,6 +123,7 @@ TEST(WorstHandStudy, RefusesWrongOptionsAndScenesWithoutAWall) {
   for (const char* text : {"", "0", "-1", "1.5", "10000001"}) EXPECT_NE(wrong("hands", text), "");
   for (const char* text : {"", "-1", "18446744073709551616"}) EXPECT_NE(wrong("seed", text), "");
   for (const char* text : {"", "Wide", "huge"}) EXPECT_NE(wrong("bounds", text), "");
+  for (const char* text : {"", "Ramp", "reversal"}) EXPECT_NE(wrong("motion", text), "");
   for (const char* text : {"0", "-1", "nan", "1e7"}) EXPECT_NE(wrong("seconds", text), "");
   EXPECT_NE(wrong("algorithms", "none,nope"), "");
   EXPECT_EQ(wrong("algorithms", "none,half-sample"), "");

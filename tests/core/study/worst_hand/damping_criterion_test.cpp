@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string_view>
 
 #include "core/run/simulate.h"
@@ -60,6 +61,39 @@ TEST(DampingCriterion, NoSpringIsUnstableWithEnoughDamping) {
   Scene scene = ideal_device("virtual-coupling", 1.0);
   expect_six_digits(damping_criterion(scene)->needed_n_s_per_m, 2000.0 * 35000.0 / 37000.0 * 5e-4);
   EXPECT_FALSE(damping_criterion(scene)->unstable_springs);
+}
+
+// Handle and hand as one mass M with damping b in a wall K: x'' = -(b v + K x_k)/M between ticks.
+// Its exact step has a trace and a determinant, and is unstable outside the triangle of Jury.
+bool is_unstable(double mass, double stiffness) {
+  constexpr double kDamping = 1.0;
+  constexpr double kPeriod = 1e-3;
+  const double decay = std::exp(-kDamping * kPeriod / mass);
+  const double way = mass / kDamping * -std::expm1(-kDamping * kPeriod / mass);  // by 1 m/s
+  const double pushed = (kPeriod - way) / kDamping;                              // by 1 N
+  const double trace = 1.0 - stiffness * pushed + decay;
+  const double determinant = (1.0 - stiffness * pushed) * decay + way * way * stiffness / mass;
+  return determinant > 1.0 || std::abs(trace) > 1.0 + determinant;
+}
+
+TEST(DampingCriterion, HeavierHandsThanTheCriticalMassAreUnstable) {
+  EXPECT_FALSE(criterion("none", 1999.0, 0.0).critical_mass_kg);
+  EXPECT_FALSE(criterion("half-sample", 5000.0, 0.0).critical_mass_kg);
+  for (const double stiffness : {2002.0, 2010.0, 2100.0}) {
+    double stable = 1e-3;
+    double unstable = 10.0;
+    ASSERT_FALSE(is_unstable(stable, stiffness));
+    ASSERT_TRUE(is_unstable(unstable, stiffness));
+    for (int i = 0; i < 60; ++i) {
+      const double middle = 0.5 * (stable + unstable);
+      (is_unstable(middle, stiffness) ? unstable : stable) = middle;
+    }
+    const double critical = criterion("none", stiffness, 0.0).critical_mass_kg.value();
+    EXPECT_NEAR(critical, unstable, 1e-6 * unstable);
+    // b T/(6 (K T/(2 b) - 1)), for K near 2 b/T.
+    const double excess = stiffness / 2000.0 - 1.0;
+    EXPECT_NEAR(critical, 1e-3 / (6.0 * excess), 1.5 * excess * critical);
+  }
 }
 
 // The simulation agrees on both sides of the range's end.

@@ -33,7 +33,7 @@ TEST(HandSpace, PlacesAreLogarithmicBetweenTheBounds) {
 }
 
 TEST(HandSpace, TheHandRestsWithItsPressInTheWall) {
-  const HandValues values{0.1, 200.0, 3.0, 1500.0, 2.0, 4.0};
+  const HandValues values{0.1, 200.0, 3.0, 1500.0, 2.0, 4.0, 0.1};
   const Scene scene = with_hand(tap_device("none", 1.0), values);
   const HandSettings& hand = *scene.x().hand;
   EXPECT_EQ(hand.mass_kg, 0.1);
@@ -45,6 +45,20 @@ TEST(HandSpace, TheHandRestsWithItsPressInTheWall) {
   const double depth_m = 4.0 / 35000.0;
   EXPECT_NEAR(200.0 * (hand.path.front().position_m - 0.05 - depth_m), 4.0, 1e-9);
   EXPECT_FALSE(validate(scene));
+}
+
+TEST(HandSpace, ARampGoesFromTheHandleToTheSamePointAtItsSpeed) {
+  const HandValues values{0.1, 200.0, 3.0, 1500.0, 2.0, 4.0, 0.1};
+  Scene scene = tap_device("none", 1.0);
+  scene.x().device.start_m = 0.04;
+  const Scene let_go = with_hand(scene, values);
+  const Scene ramp = with_hand(scene, values, Motion::kRamp);
+  ASSERT_EQ(ramp.x().hand->path.size(), 2U);
+  EXPECT_EQ(ramp.x().hand->path.front().position_m, 0.04);
+  EXPECT_EQ(ramp.x().hand->path.back().position_m, let_go.x().hand->path.front().position_m);
+  EXPECT_NEAR(rest_s(ramp), (0.05 + 0.02 + 4.0 / 35000.0 - 0.04) / 0.1, 1e-12);
+  EXPECT_EQ(rest_s(let_go), 0.0);
+  EXPECT_FALSE(validate(ramp));
 }
 
 TEST(HandSpace, RefusesScenesWithoutASearch) {
@@ -89,7 +103,7 @@ TEST(HandSearchRandom, NormalNumbersHaveTheirMoments) {
 // Every interval of 1/1024 has one of 1024 points, in every dimension and with every shift.
 TEST(HandSearchSobol, FillsEveryDimensionEvenly) {
   Random random(7);
-  Sobol sobol(random);
+  Sobol sobol(random, kHandNumbers);
   constexpr std::size_t kCount = 1024;
   std::array<std::array<int, kCount>, kHandNumbers> hits{};
   std::array<std::array<int, 1024>, kHandNumbers - 1> squares{};  // 32 by 32, neighbours
@@ -112,7 +126,7 @@ HandPoint maximum_of(double (*score)(const HandPoint&)) {
   Random random(5);
   HandPoint start;
   start.fill(0.5);
-  CmaEs climber(start, 32);
+  CmaEs<kHandNumbers> climber(start, 32);
   HandPoint best = start;
   for (int i = 0; i < 200 && !climber.is_over(); ++i) {
     const std::vector<HandPoint> points = climber.ask(random);
@@ -137,9 +151,9 @@ TEST(HandSearchClimb, FindsAMaximumInsideAndOneInACorner) {
   });
   for (const double place : inside) EXPECT_NEAR(place, 0.3, 0.02);
   const HandPoint corner = maximum_of([](const HandPoint& p) {
-    return p[0] + 2.0 * p[1] - p[2] - p[3] + 0.5 * p[4] - 3.0 * p[5] + 10.0;
+    return p[0] + 2.0 * p[1] - p[2] - p[3] + 0.5 * p[4] - 3.0 * p[5] + p[6] + 10.0;
   });
-  const HandPoint expected{1.0, 1.0, 0.0, 0.0, 1.0, 0.0};
+  const HandPoint expected{1.0, 1.0, 0.0, 0.0, 1.0, 0.0, 1.0};
   for (std::size_t i = 0; i < kHandNumbers; ++i) EXPECT_NEAR(corner.at(i), expected.at(i), 1e-3);
 }
 

@@ -71,6 +71,53 @@ TEST(WorstHand, ThePowerIsThatOfTheLastSecond) {
   EXPECT_FALSE(brief.hand->last_second_w);
 }
 
+// N is the work of the hand on the handle. A ramp counts from the end of its path on, a hand that
+// is let go from the start on.
+TEST(WorstHand, ARampCountsTheEnergyAfterItsEnd) {
+  Plan plan{tap_device("none", 2.0), 200, 1, Bounds::kWide};
+  plan.motion = Motion::kRamp;
+  const Found result = found(plan, 1);
+  ASSERT_TRUE(result.hand);
+  const FoundHand& hand = *result.hand;
+  ASSERT_EQ(hand.scene.x().hand->path.size(), 2U);
+  const double rest_s = hand.scene.x().hand->path.back().time_s;
+  EXPECT_GT(rest_s, 0.0);
+  double at_rest_j = 1.0;  // above 0: the path has not ended
+  double least_j = 0.0;
+  double least_at_rest_j = 0.0;
+  const auto add = [&](double time_s, double net_work_j) {
+    least_j = std::min(least_j, net_work_j);
+    if (time_s < rest_s) return;
+    if (at_rest_j > 0.0) at_rest_j = least_at_rest_j = std::min(net_work_j, 0.0);
+    least_at_rest_j = std::min(least_at_rest_j, net_work_j);
+  };
+  const Summary run =
+      simulate(hand.scene,
+               {.on_sample = [&](const Sample& s) { add(s.time_s, s.truth.hand_work_j); },
+                .should_stop = {},
+                .changes = {}})
+          .summary;
+  add(run.duration_s, *run.true_hand_work_j);
+  EXPECT_GT(hand.taken_at_rest_j, kFoundJ);
+  EXPECT_EQ(hand.taken_at_rest_j, at_rest_j - least_at_rest_j);
+  EXPECT_EQ(hand.taken_j, -*run.passivity_margin_j);
+  EXPECT_NEAR(hand.taken_j, -least_j, 1e-12);
+  EXPECT_NE(hand.taken_j, hand.taken_at_rest_j);
+  EXPECT_EQ(found(plan, 2).hand->typical_j, hand.typical_j);
+
+  plan.motion = Motion::kLetGo;
+  const Found let_go = found(plan);
+  ASSERT_TRUE(let_go.hand);
+  EXPECT_EQ(let_go.hand->taken_j, let_go.hand->taken_at_rest_j);
+  EXPECT_EQ(let_go.hand->scene.x().hand->path.size(), 1U);
+}
+
+TEST(WorstHand, NoRampTakesEnergyFromPassiveWalls) {
+  Plan plan{tap_device("force-bounding", 1.0), 300, 1, Bounds::kWide};
+  plan.motion = Motion::kRamp;
+  EXPECT_FALSE(found(plan).first());
+}
+
 // The climb is worth its name: it finds more than as many hands of the sequence.
 TEST(WorstHand, TheClimbFindsMoreThanTheFirstHands) {
   const Found first = found({tap_device("none", 0.3), 1024, 1, Bounds::kWide});
