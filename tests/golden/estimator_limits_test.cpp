@@ -15,38 +15,14 @@
 #include "core/estimator/active_estimator.h"
 #include "core/scene_keys.h"
 #include "core/study/stability_bounds.h"
+#include "tests/golden/estimator_scenes.h"
 
 namespace hapticwall {
 namespace {
 
-struct Choice {
-  std::string name;
-  std::string key;
-  double value = 0.0;
-};
-
-Scene scene_of(const Choice& estimator, double mass_kg, double wall_damping, int delay_ticks = 0) {
-  Scene scene;
-  scene.sampling.rate_hz = 1000.0;
-  scene.x().device.mass_kg = mass_kg;
-  scene.x().device.damping_n_s_per_m = 1.0;
-  if (delay_ticks > 0) scene.x().device.delay_ticks = delay_ticks;
-  scene.x().walls = {{0.05, 1000.0, wall_damping}};
-  scene.estimator.index = find_estimator(estimator.name).value();
-  if (!estimator.key.empty())
-    find_scene_number(scene, "estimator." + estimator.key).value().set(scene, estimator.value);
-  return scene;
-}
-
-// A mass with a damper under a force that is held for a tick, in closed form.
-template <typename Real>
-void move(Real& x, Real& v, double mass_kg, Real force_n) {
-  const Real t = Real(1) / 1000;
-  const Real left = std::exp(-t / Real(mass_kg));
-  const Real way_s = Real(mass_kg) * (1 - left);
-  x += v * way_s - force_n * (t - way_s);
-  v = v * left - force_n * (1 - left);
-}
+using hapticwall::testing::move_handle;
+using hapticwall::testing::scene_of;
+using Choice = hapticwall::testing::EstimatorChoice;
 
 // ---- the table ----
 
@@ -89,8 +65,8 @@ bool grows(const Scene& scene, double stiffness_n_per_m) {
   for (int k = 0; k < kTicks; ++k) {
     const double velocity = estimator.velocity(x_m, x_m - before_m);
     before_m = x_m;
-    move(x_m, v_m_per_s, scene.x().device.mass_kg,
-         stiffness_n_per_m * x_m + scene.x().walls[0].damping_n_s_per_m * velocity);
+    move_handle(x_m, v_m_per_s, scene.x().device.mass_kg,
+                stiffness_n_per_m * x_m + scene.x().walls[0].damping_n_s_per_m * velocity);
     if (std::abs(x_m) > 1e3) return true;
     if (k >= kWindow && k < 2 * kWindow) early_m = std::max(early_m, std::abs(x_m));
     if (k >= kTicks - kWindow) late_m = std::max(late_m, std::abs(x_m));
@@ -130,53 +106,6 @@ TEST(EstimatorLimits, PartTheLoopsThatDecayFromThoseThatGrow) {
       }
       EXPECT_NEAR(low / limit, 1.0, 1e-6) << name;
     }
-  }
-}
-
-// ---- an encoder ----
-
-constexpr double kCountM = 20e-6;
-
-// Swing in the last of two seconds, from rest at 252 µm, between two counts.
-double last_swing_m(const Scene& scene, double stiffness_n_per_m) {
-  ActiveEstimator estimator;
-  estimator.configure(chosen_estimator(scene.estimator), {1000.0, kCountM, &scene.estimator});
-  double x_m = 252e-6;
-  double v_m_per_s = 0.0;
-  double before_m = kCountM * std::rint(x_m / kCountM);
-  double low_m = 1.0;
-  double high_m = -1.0;
-  for (int k = 0; k < 2000 && std::abs(x_m) < 1.0; ++k) {
-    const double measured_m = kCountM * std::rint(x_m / kCountM);
-    const double velocity = estimator.velocity(measured_m, measured_m - before_m);
-    before_m = measured_m;
-    move(x_m, v_m_per_s, scene.x().device.mass_kg,
-         stiffness_n_per_m * measured_m + scene.x().walls[0].damping_n_s_per_m * velocity);
-    if (k < 1000) continue;
-    low_m = std::min(low_m, x_m);
-    high_m = std::max(high_m, x_m);
-  }
-  return std::abs(x_m) < 1.0 ? high_m - low_m : 1.0;
-}
-
-// Numbers of a program that shares no code with this one: the first wall of a scan in steps of 5 %
-// that leaves a swing. Its definition of a swing is unknown. Start and threshold here were fitted
-// to the four numbers, so that the test shows agreement of the estimators under one definition.
-TEST(EstimatorLimits, WithAnEncoderPartWhereTheScanSays) {
-  struct Expected {
-    Choice estimator;
-    double first_n_per_m;
-  };
-  constexpr double kStep = 1.05;
-  for (const Expected& expected : {Expected{kDifference, 9346.0},
-                                   {{"foaw", "points", 16.0}, 3043.0},
-                                   {{"levant", "gain", 10.0}, 4495.0},
-                                   {{"levant", "gain", 50.0}, 856.0}}) {
-    const Scene scene = scene_of(expected.estimator, 0.05, 5.0);
-    double first = 100.0 * std::pow(kStep, 33);
-    while (first < 2e4 && last_swing_m(scene, first) <= 2.6 * kCountM) first *= kStep;
-    EXPECT_NEAR(std::log(first / expected.first_n_per_m) / std::log(kStep), 0.0, 1.01)
-        << expected.estimator.name << " " << expected.estimator.value << ": " << first;
   }
 }
 
@@ -241,7 +170,7 @@ struct Loop {
     Real force =
         stiffness_n_per_m * state[0] + Real(scene.x().walls[0].damping_n_s_per_m) * velocity;
     for (int i = 0; i < delay(); ++i) std::swap(force, state[first + points() - 1 + i]);
-    move(state[0], state[1], scene.x().device.mass_kg, force);
+    move_handle(state[0], state[1], scene.x().device.mass_kg, force);
     return state;
   }
   [[nodiscard]] Real growth() const {

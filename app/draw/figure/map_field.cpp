@@ -263,7 +263,7 @@ void draw_map_legend(std::span<const BoundLines> bounds, float scale) {
   }
   const bool theory = !bounds.empty() && kBounds.at(bounds.front().bound).bound != nullptr;
   const char* note = theory ? "bounds of the bare wall, without an algorithm"
-                            : "no theoretical bound crosses this map";
+                            : "this map has no theoretical bound";
   begin_key(ImGui::CalcTextSize(note).x);
   ImGui::PushTextWrapPos();
   ImGui::TextDisabled("%s", note);
