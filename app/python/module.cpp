@@ -123,6 +123,10 @@ NB_MODULE(_core, m) {
   m.def("compare", [](const SceneBox& scene, const std::vector<std::size_t>& algorithms) {
     return dicts_of(compare(scene, algorithms));
   });
+  m.def("worst_hand", [](const SceneBox& scene, std::uint64_t hands, std::uint64_t seed,
+                         const std::string& bounds, const std::string& motion, int threads) {
+    return search_hand(scene, {hands, seed, bounds, motion, threads});
+  });
   m.def("map",
         [](const SceneBox& scene, const std::pair<std::string, Numbers>& x,
            const std::pair<std::string, Numbers>& y, const std::vector<std::size_t>& algorithms) {

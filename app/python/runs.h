@@ -68,4 +68,17 @@ using MapValues = std::pair<std::string, std::span<const double>>;  // of a key
                                             const MapValues& y,
                                             const std::vector<std::size_t>& algorithms);
 
+struct HandSearch {
+  std::uint64_t hands = 0;
+  std::uint64_t seed = 0;
+  std::string bounds;
+  std::string motion;
+  int threads = 0;  // max; 0: all cores
+};
+using HandDict = nanobind::typed<nanobind::dict, nanobind::str, nanobind::any>;
+// The search of `hapticwall worst-hand` (worst_hand.cpp), with the keys of a row of its JSON: those
+// of the hand are missing if none took energy. `numbers` are those of the hand, `scene` a SceneBox.
+// Raises ValueError and KeyboardInterrupt.
+[[nodiscard]] HandDict search_hand(const SceneBox& scene, const HandSearch& search);
+
 }  // namespace hapticwall::python

@@ -187,17 +187,52 @@ def test_a_map_tells_a_wrong_key_and_a_wrong_value():
         hw.map("press", x=("wall.stiffness_n_per_m", million), y=("device.mass_kg", million), algorithms=["none"])
 
 
+HAND = ("most_j", "typical_j", "least_j", "taken_j", "taken_at_rest_j", "last_second_w")
+
+
+@pytest.mark.parametrize("motion", ["let-go", "ramp"])
+def test_worst_hand_is_that_of_the_command_line(motion):
+    options = ("--duration", "1.5", "--hands", "60", "--seed", "7", "--bounds", "narrow", "--motion", motion)
+    text = hapticwall("worst-hand", "tap", "--algorithms", "none,force-bounding", *options, "--json", "-")
+    scene = hw.load("tap").replace({"duration_s": 1.5})
+    for row, threads in zip(json.loads(text)["rows"], (1, 2), strict=True):
+        found = hw.worst_hand(
+            scene, row["algorithm"], hands=60, seed=7, bounds="narrow", motion=motion, threads=threads
+        )
+        assert (found.hands, found.refused_hands, found.first_hand) == (60, row["refused_hands"], row["first_hand"])
+        assert [getattr(found, key) for key in HAND] == [row[key] for key in HAND]
+        assert " ".join(found.at_bound) == (row["at_bound"] or "")
+        for key, value in found.numbers.items():
+            assert value == row[key]
+        if found.scene is not None:
+            assert hw.run(found.scene).summary["passivity_margin_j"] == -found.taken_j
+    assert found.scene is None and found.numbers == {} and row["most_j"] is None
+
+
+def test_worst_hand_tells_a_wrong_argument():
+    with pytest.raises(ValueError, match="hands: 1 to 10000000"):
+        hw.worst_hand("tap", hands=0)
+    with pytest.raises(ValueError, match='bounds: "wide" or "narrow"'):
+        hw.worst_hand("tap", bounds="Wide")
+    with pytest.raises(ValueError, match='motion: "let-go" or "ramp"'):
+        hw.worst_hand("tap", motion="push")
+    with pytest.raises(ValueError, match="the search starts in front of the walls"):
+        hw.worst_hand(hw.load("tap").replace({"device.start_m": 0.06}))
+
+
 def long_work(kind):
     scene = hw.load("press").replace({"duration_s": 1e5})
     if kind == "run":
         hw.run(scene)
     elif kind == "batch":
         hw.batch([scene, hw.load("press")])
+    elif kind == "worst_hand":
+        hw.worst_hand(scene)
     else:
         hw.map(scene, x=("wall.stiffness_n_per_m", [300.0, 301.0]), y=("device.damping_n_s_per_m", [1.0, 2.0]))
 
 
-@pytest.mark.parametrize("kind", ["run", "batch", "map"])
+@pytest.mark.parametrize("kind", ["run", "batch", "map", "worst_hand"])
 def test_ctrl_c_ends_long_work(kind):
     # The timer's thread runs only because the work has released the interpreter's lock.
     timer = threading.Timer(0.2, os.kill, [os.getpid(), signal.SIGINT])

@@ -7,7 +7,7 @@ from hapticwall._law import Algorithm, Context, Input, LawError, Parameter, Wall
 from hapticwall._run import Recording, Run, batch, compare, read, rerun, run
 from hapticwall._scene import Scene, Value, load
 from hapticwall._session import Sample, Session
-from hapticwall._study import Map, map  # noqa: A004
+from hapticwall._study import Map, WorstHand, map, worst_hand  # noqa: A004
 
 __all__ = [
     "Algorithm",
@@ -23,6 +23,7 @@ __all__ = [
     "Session",
     "Value",
     "Wall",
+    "WorstHand",
     "algorithm",
     "algorithms",
     "batch",
@@ -32,4 +33,5 @@ __all__ = [
     "read",
     "rerun",
     "run",
+    "worst_hand",
 ]
