@@ -4,10 +4,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <array>
+#include <cstddef>
+#include <functional>
 #include <map>
-#include <random>
 #include <set>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "app/ui/state/appearance.h"
 #include "app/ui/window/window_layout.h"
@@ -136,44 +139,82 @@ TEST_F(KeysTest, ALetterWithCtrlIsNotTheLetter) {
 
 // Walks with the arrows. A slider is the pointer's way to its field; plots, their legends and the
 // views take the pointer only.
-TEST_F(KeysTest, TheArrowsReachTheControls) {
-  std::set<ImGuiID> reached;
-  const auto step = [&](ImGuiKey way) {
+// A control under the cursor of the keyboard, and what Dear ImGui needs to put the cursor back.
+struct Spot {
+  ImGuiWindow* window;
+  ImGuiID id;
+  ImGuiNavLayer layer;
+  ImGuiID scope;
+  ImRect place;
+};
+
+Spot present_spot() {
+  const ImGuiContext& context = *ImGui::GetCurrentContext();
+  return {context.NavWindow, context.NavId, context.NavLayer, context.NavFocusScopeId,
+          context.NavWindow->NavRectRel[context.NavLayer]};
+}
+
+// All controls to which arrows lead from the present one: from each control that was reached, every
+// arrow is tried once.
+class ArrowWalk {
+ public:
+  explicit ArrowWalk(std::function<void(int)> frames) : frames_(std::move(frames)) {}
+
+  void walk() {
+    note();
+    for (; next_ < spots_.size(); ++next_) {
+      for (const ImGuiKey way :
+           {ImGuiKey_DownArrow, ImGuiKey_UpArrow, ImGuiKey_RightArrow, ImGuiKey_LeftArrow}) {
+        go_to(Spot(spots_[next_]));
+        step(way);
+        note();
+      }
+    }
+  }
+  [[nodiscard]] bool reached(ImGuiID id) const { return ids_.contains(id); }
+
+ private:
+  void note() {
+    const Spot spot = present_spot();
+    if (spot.id != 0 && ids_.insert(spot.id).second) spots_.push_back(spot);
+  }
+  void go_to(const Spot& spot) {
+    ImGui::FocusWindow(spot.window);
+    ImGui::SetNavID(spot.id, spot.layer, spot.scope, spot.place);
+    ImGui::SetNavCursorVisible(true);  // as Alt does
+    frames_(1);
+  }
+  void step(ImGuiKey way) {
     ImGui::GetIO().AddKeyEvent(way, true);
-    frames(1);
+    frames_(1);
     ImGui::GetIO().AddKeyEvent(way, false);
-    frames(1);
-    reached.insert(ImGui::GetCurrentContext()->NavId);
-  };
+    frames_(1);
+  }
+
+  std::function<void(int)> frames_;
+  std::set<ImGuiID> ids_;
+  std::vector<Spot> spots_;  // in the order in which they were reached
+  std::size_t next_ = 0;     // the first one whose arrows were not tried
+};
+
+TEST_F(KeysTest, TheArrowsReachTheControls) {
   live(100);  // there is something to export
   const Items usual = drawn_items();
-  std::mt19937 random(4);
-  constexpr std::array kWays{ImGuiKey_DownArrow, ImGuiKey_UpArrow, ImGuiKey_RightArrow,
-                             ImGuiKey_LeftArrow};
-  ImGuiKey way = ImGuiKey_DownArrow;
-  for (int i = 0; i < 3000; ++i) {
-    if (random() % 6 == 0) way = kWays.at(i == 0 ? 0 : random() % kWays.size());
-    step(way);
-  }
-  for (const char* row : {"follow", "magnify less", "cursors", "page Plots"}) {
-    click(row);
-    ImGui::SetNavCursorVisible(true);  // as Alt does
-    for (int i = 0; i < 10; ++i) step(ImGuiKey_RightArrow);
-    for (int i = 0; i < 14; ++i) step(ImGuiKey_LeftArrow);
-    for (int i = 0; i < 14; ++i) step(ImGuiKey_UpArrow);
-    for (int i = 0; i < 12; ++i) step(ImGuiKey_RightArrow);
-  }
+  ArrowWalk arrows([&](int count) { frames(count); });
+  ImGui::GetIO().AddKeyEvent(ImGuiKey_DownArrow, true);
+  frames(1);
+  ImGui::GetIO().AddKeyEvent(ImGuiKey_DownArrow, false);
+  frames(1);
+  arrows.walk();
   press(ImGuiMod_Alt | ImGuiKey_LeftAlt);  // moves to the tabs
-  for (const ImGuiKey along : {ImGuiKey_RightArrow, ImGuiKey_LeftArrow}) {
-    for (int i = 0; i < 8; ++i) step(along);
-  }
+  arrows.walk();
   const std::set<std::string> disabled{"undo", "redo", "step", "automatic axes"};
   const std::set<std::string> for_the_pointer{"wall view", "magnifier"};
   for (const auto& [name, item] : usual) {
     const bool pointed = name.starts_with("legend ") || name.ends_with("-slider") ||
                          name.starts_with("gap ") || for_the_pointer.contains(name);
     if (item.id == 0 || pointed || disabled.contains(name)) continue;
-    EXPECT_TRUE(reached.contains(item.id)) << name;
+    EXPECT_TRUE(arrows.reached(item.id)) << name;
   }
   EXPECT_EQ(fake_->steps, 0) << "the arrows navigate";
 }
