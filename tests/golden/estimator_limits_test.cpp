@@ -20,6 +20,7 @@
 namespace hapticwall {
 namespace {
 
+using hapticwall::testing::kDifference;
 using hapticwall::testing::move_handle;
 using hapticwall::testing::scene_of;
 using Choice = hapticwall::testing::EstimatorChoice;
@@ -32,7 +33,6 @@ struct Row {
   std::array<double, 6> limits_n_per_m;
 };
 constexpr std::array kDampings{0.0, 2.0, 5.0, 10.0, 20.0, 50.0};
-const Choice kDifference{"backward-difference", "", 0.0};
 const Choice kLowPass{"low-pass", "cutoff_hz", 30.0};
 const Choice kKalman{"kalman", "noise_ratio", 0.1};
 

@@ -10,6 +10,7 @@
 namespace hapticwall {
 namespace {
 
+using hapticwall::testing::kDifference;
 using hapticwall::testing::move_handle;
 using hapticwall::testing::scene_of;
 using Choice = hapticwall::testing::EstimatorChoice;
@@ -52,7 +53,6 @@ double first_swinging(const Choice& estimator, const Scan& scan) {
   return first;
 }
 
-const Choice kDifference{"backward-difference", "", 0.0};
 const Choice kFoaw{"foaw", "points", 16.0};
 const Choice kLevant10{"levant", "gain", 10.0};
 const Choice kLevant50{"levant", "gain", 50.0};

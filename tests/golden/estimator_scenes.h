@@ -14,6 +14,8 @@ struct EstimatorChoice {
   double value = 0.0;
 };
 
+inline const EstimatorChoice kDifference{"backward-difference", "", 0.0};
+
 inline Scene scene_of(const EstimatorChoice& estimator, double mass_kg, double wall_damping,
                       int delay_ticks = 0) {
   Scene scene;
