@@ -14,7 +14,7 @@ std::string hand_column_text(const Summary& summary) {
 
 std::string hand_column_note(std::uint64_t hands) {
   return fmt::format(
-      "{}: median energy that the hand found takes with those within 1 % of it; let go, wide "
+      "{}: median energy of 32 hands within 1 % of the one that a search found; let go, wide "
       "bounds, seed 1;\n"
       "  -: no hand took 1e-9 J, which proves nothing; 'hapticwall worst-hand' shows the hand\n",
       hand_column_title(hands));

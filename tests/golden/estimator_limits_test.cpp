@@ -35,6 +35,7 @@ struct Row {
 constexpr std::array kDampings{0.0, 2.0, 5.0, 10.0, 20.0, 50.0};
 const Choice kLowPass{"low-pass", "cutoff_hz", 30.0};
 const Choice kKalman{"kalman", "noise_ratio", 0.1};
+const Choice kLeastSquares{"least-squares", "points", 8.0};
 
 const std::vector<Row>& table() {
   static const std::vector<Row> kRows{
@@ -42,7 +43,9 @@ const std::vector<Row>& table() {
       {0.05, kLowPass, {2006.69, 3130.93, 4028.19, 4841.68, 5496.47, 4889.22}},
       {0.05, kKalman, {2006.69, 4499.99, 6129.55, 6715.9, 5369.28, 0.0}},
       {0.2, kDifference, {2001.67, 5945.4, 11714.2, 20946.9, 38041.4, 79451.9}},
-      {0.2, kLowPass, {2001.67, 4308.42, 6540.11, 9047.87, 12240.0, 16841.8}}};
+      {0.2, kLowPass, {2001.67, 4308.42, 6540.11, 9047.87, 12240.0, 16841.8}},
+      // Our own numbers; AreThoseOfTheEigenvaluesWithADelay confirms the estimator.
+      {0.05, kLeastSquares, {2006.69, 3546.22, 4151.61, 3826.04, 1734.94, 0.0}}};
   return kRows;
 }
 
@@ -193,6 +196,7 @@ TEST(EstimatorLimits, AreThoseOfTheEigenvaluesWithADelay) {
                                     kKalman,
                                     {"least-squares", "points", 3.0},
                                     {"least-squares", "points", 5.0},
+                                    kLeastSquares,
                                     {"least-squares", "points", 16.0}};
   int compared = 0;
   for (const Choice& estimator : choices) {
