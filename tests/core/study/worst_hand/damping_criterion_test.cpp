@@ -79,6 +79,8 @@ bool is_unstable(double mass, double stiffness) {
 TEST(DampingCriterion, HeavierHandsThanTheCriticalMassAreUnstable) {
   EXPECT_FALSE(criterion("none", 1999.0, 0.0).critical_mass_kg);
   EXPECT_FALSE(criterion("half-sample", 5000.0, 0.0).critical_mass_kg);
+  for (const double mass : {1e-6, 1e-4, 1e-2, 1.0, 100.0}) ASSERT_TRUE(is_unstable(mass, 35000.0));
+  EXPECT_EQ(criterion("none", 35000.0, 0.0).critical_mass_kg, 0.0);
   for (const double stiffness : {2002.0, 2010.0, 2100.0}) {
     double stable = 1e-3;
     double unstable = 10.0;
