@@ -49,6 +49,7 @@ void unfold(Person& person, const std::string& section, const std::string& somet
 [[nodiscard]] Table wall_rows(const std::string& scene_of_two_walls);
 [[nodiscard]] Table hand_rows();
 [[nodiscard]] Table device_rows();
+[[nodiscard]] Table departure_rows();
 [[nodiscard]] Table loop_rows();
 [[nodiscard]] Table view_rows();
 [[nodiscard]] Table plot_control_rows();

@@ -204,6 +204,18 @@ void change_rate(Person& person) {
   open_scene(person, "press");
 }
 
+// A number that begins a new session; a bad one does not.
+Row new_clock(const std::string& item, const std::string& good, const std::string& bad,
+              std::optional<double> (*read)(const Scene&)) {
+  return {item, [=](Person& person) {
+            person.type(item, bad);
+            EXPECT_FALSE(read(person.scene())) << item;
+            person.type(item, good);
+            person.wait_until([&] { return read(person.scene()).has_value(); }, item.c_str());
+            open_scene(person, "press");
+          }};
+}
+
 }  // namespace
 
 Table scene_rows(const std::string& scene_file) {
@@ -242,6 +254,13 @@ Table loop_rows() {
   Table table{{"rate", change_rate},       {"integrator", choose_integrators},
               {"substeps", type_substeps}, shown("delay of velocity"),
               shown("cost of a tick"),     shown("energy error")};
+  table.push_back(new_clock("sampling.jitter", "0.3", "2",
+                            [](const Scene& scene) { return scene.sampling.jitter; }));
+  table.push_back(
+      new_clock("sampling.seed", "7", "1.5",
+                [](const Scene& scene) -> std::optional<double> { return scene.sampling.seed; }));
+  const Table skipped = departure_rows();
+  table.insert(table.end(), skipped.begin(), skipped.end());
   add_estimator_numbers(table);
   table.push_back({"estimator", use_estimators});
   return table;

@@ -82,16 +82,26 @@ void use_key(Person& person, const std::string& item, const NumberKey<Owner>& ke
   if (switchable) switch_off_and_on(person, item, read);
 }
 
+// The scene in which a static friction may be switched on.
+Scene with_stribeck_friction(Scene scene) {
+  scene.simulator.integrator = Integrator::kRungeKutta4;
+  scene.x().device.friction_n.reset();
+  scene.x().device.stribeck_speed_m_per_s = 0.01;
+  return scene;
+}
+
 template <typename Owner, typename Get>
 Table parameter_rows(const std::string& section, const std::string& prefix,
-                     std::span<const NumberKey<Owner>> keys, Get get) {
+                     const std::string& unfolded, std::span<const NumberKey<Owner>> keys, Get get) {
   Table table;
   for (const NumberKey<Owner>& key : keys) {
     const std::string item = prefix + std::string(key.key);
     const ReadKey read = [get, &key](Person& person) { return key.get(get(person.scene())); };
     table.push_back({item, [=, &key](Person& person) {
-                       unfold(person, section, prefix + "mass_kg");
+                       unfold(person, section, unfolded);
                        const Scene before = person.scene();
+                       if (item == "device.static_friction_n")
+                         restore(person, with_stribeck_friction(before));
                        use_key(person, item, key, read);
                        restore(person, before);
                      }});
@@ -172,7 +182,7 @@ Table hand_rows() {
                  person.click("withdraw hand");
                  EXPECT_TRUE(person.state().hand.led);
                }}};
-  const auto keys = parameter_rows("Hand", "hand.", number_keys<HandSettings>(),
+  const auto keys = parameter_rows("Hand", "hand.", "hand.mass_kg", number_keys<HandSettings>(),
                                    [](const Scene& scene) { return *scene.x().hand; });
   table.insert(table.end(), keys.begin(), keys.end());
   return table;
@@ -185,7 +195,7 @@ Table device_rows() {
                  EXPECT_TRUE(person.sees("device.mass_kg"));
                }},
               {"device numbers", take_devices}};
-  auto keys = parameter_rows("Device", "device.", number_keys<DeviceSettings>(),
+  auto keys = parameter_rows("Device", "device.", "device.mass_kg", number_keys<DeviceSettings>(),
                              [](const Scene& scene) { return scene.x().device; });
   // The start of the handle has no row: it needs a new session. Nor has what CHAI3D allows: no run
   // changes with it.
@@ -194,6 +204,16 @@ Table device_rows() {
   });
   table.insert(table.end(), keys.begin(), keys.end());
   return table;
+}
+
+Table departure_rows() {
+  // The others need a new session.
+  auto rows = parameter_rows("Loop", "sampling.", "rate", number_keys<SamplingSettings>(),
+                             [](const Scene& scene) { return scene.sampling; });
+  std::erase_if(rows, [](const Row& row) {
+    return row.item != "sampling.render_every" && row.item != "sampling.lost_ticks";
+  });
+  return rows;
 }
 
 Table link_rows() {

@@ -40,7 +40,6 @@ void draw_rate(const PanelContext& context) {
   context.scene.wanted = WantedScene{std::move(changed)};
 }
 
-constexpr double kUsualSeed = 1.0;
 const std::array kSkippedRows{
     ParameterText{"render_every", "compute every",
                   "the controller computes on every n-th tick, with n times the period; the device "
@@ -50,40 +49,46 @@ const std::array kSkippedRows{
                   "share of ticks, at random, on which the controller does not compute and the "
                   "device holds its force; the controller does not know",
                   0.01}};
-const std::array kClockRows{
-    ParameterText{
-        "jitter", "jitter",
-        "periods are independent and uniform within 1 ± jitter of the nominal period; the "
-        "controller does not know. Starts a new session",
-        0.2},
-    ParameterText{"seed", "seed",
-                  "of lost ticks, jitter and noise; 1 without. Starts a new session", kUsualSeed}};
 
-// The row of a key of [sampling] and its edit in a copy of the scene.
-std::optional<Scene> draw_sampling_row(const PanelContext& context, const ParameterText& text) {
-  const auto& key = key_called<SamplingSettings>(text.key);
-  const ParameterRow row = parameter_row("sampling.", key, text, context.session.scene().sampling,
-                                         context.scene.loaded.sampling);
-  const auto edit = draw_parameter_row(context, row);
-  if (!edit) return std::nullopt;
-  Scene changed = context.session.scene();
-  assign(key, changed.sampling, edit->value);
-  return changed;
+void draw_skipped_ticks(const PanelContext& context) {
+  for (const ParameterText& text : kSkippedRows) {
+    const auto& key = key_called<SamplingSettings>(text.key);
+    const ParameterRow row = parameter_row("sampling.", key, text, context.session.scene().sampling,
+                                           context.scene.loaded.sampling);
+    const auto edit = draw_parameter_row(context, row);
+    if (!edit) continue;
+    change_parameters(context, row.key,
+                      [&](Scene& scene) { assign(key, scene.sampling, edit->value); });
+  }
+}
+
+// A number of the clock, which needs a new session; `usual` is that of a scene without it.
+void draw_clock_row(const PanelContext& context, std::string_view name, double usual,
+                    const char* tooltip) {
+  const auto& key = key_called<SamplingSettings>(name);
+  const Scene& scene = context.session.scene();
+  const std::string id = fmt::format("sampling.{}", name);
+  const auto value =
+      number_row(context, {id.c_str(), name, "", tooltip, key.get(scene.sampling).value_or(usual)});
+  draw_refusal(context, id.c_str());
+  if (!value) return;
+  if (key.whole() && *value != std::round(*value))
+    return refuse(context, id, fmt::format("{} is no whole number", rounded_number(*value)));
+  Scene changed = scene;
+  assign(key, changed.sampling, *value == usual ? std::nullopt : value);
+  context.scene.wanted = WantedScene{std::move(changed)};
 }
 
 // What a real loop does beside the ideal one.
 void draw_departures(const PanelContext& context, bool simulated) {
-  for (const ParameterText& text : kSkippedRows) {
-    const auto changed = draw_sampling_row(context, text);
-    if (!changed) continue;
-    change_parameters(context, "sampling." + text.key,
-                      [&](Scene& scene) { scene.sampling = changed->sampling; });
-  }
+  draw_skipped_ticks(context);
   if (!simulated) return;
-  for (const ParameterText& text : kClockRows) {
-    if (auto changed = draw_sampling_row(context, text))
-      context.scene.wanted = WantedScene{std::move(*changed)};
-  }
+  draw_clock_row(
+      context, "jitter", 0.0,
+      "Periods are independent and uniform within 1 ± jitter of the nominal period, from "
+      "0 to 0.99; the controller does not know. Starts a new session.");
+  draw_clock_row(context, "seed", 1.0,
+                 "Of lost ticks, jitter and noise. A new seed starts a new session.");
 }
 
 void set_simulator(const PanelContext& context, const SimulatorSettings& simulator) {
