@@ -28,6 +28,7 @@ ELSEWHERE = {
     "commands": "./dev test --adding-an-algorithm, --adding-an-estimator and --adding-a-study",
     "long": "takes minutes; worst_hand_test.cpp and accuracy_hands_test.cpp try fewer hands",
     "settings": "tests/app/ui/window/settings_file_test.cpp",
+    "rust": "takes rustc; tests/python/paper_law_test.py",
     "device-file": "tests/app/file/scene_device_test.cpp and dialect_file_test.cpp",
 }
 TIMEOUT_S = 240
