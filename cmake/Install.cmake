@@ -29,7 +29,7 @@ install(DIRECTORY core/algorithm/plugin/include/hapticwall device/port/include/h
         DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(DIRECTORY docs DESTINATION ${documents})
 # Places of the source tree, so that links of the pages lead somewhere and the examples build.
-install(DIRECTORY assets/devices assets/examples assets/fonts assets/hands assets/scenes
+install(DIRECTORY assets/devices assets/examples assets/fonts assets/hands assets/scenes assets/schemas
         DESTINATION ${documents}/assets)
 install(FILES assets/70-hapticwall.rules DESTINATION ${documents}/assets)
 install(DIRECTORY core/algorithm/plugin/include DESTINATION ${documents}/core/algorithm/plugin)

@@ -22,7 +22,7 @@ run(ignored ${CMAKE_COMMAND} --install ${BUILD} --config ${CONFIG} --prefix ${WO
 file(GLOB_RECURSE found RELATIVE ${WORK}/root ${WORK}/root/*)
 list(FILTER found EXCLUDE REGEX "/docs/")
 file(GLOB_RECURSE copied RELATIVE ${ROOT} ${ROOT}/assets/devices/* ${ROOT}/assets/examples/* ${ROOT}/assets/hands/*
-     ${ROOT}/assets/scenes/*)
+     ${ROOT}/assets/scenes/* ${ROOT}/assets/schemas/*)
 list(TRANSFORM copied PREPEND share/doc/hapticwall/)
 set(expected
     ${copied}
