@@ -24,7 +24,8 @@ constexpr ValueRange kRate{10.0, 100e3};
 constexpr ValueRange kRenderEvery{1.0, kMaxRenderEvery};
 constexpr ValueRange kLostTicks{0.0, 0.99};
 constexpr ValueRange kJitter{0.0, 0.99};
-constexpr ValueRange kSeed{0.0, std::numeric_limits<int>::max()};
+// Less than any number that NumberKey::set() has clamped.
+constexpr ValueRange kSeed{0.0, 2e9};
 constexpr ValueRange kForceNoise{0.0, 1e3};
 constexpr ValueRange kDuration{0.0, 1e6, true};
 constexpr ValueRange kSpeedRange{0.0, 1e3, true};
