@@ -217,8 +217,10 @@ NUMBERS = [
 
 def test_the_plain_scene_fits_both(refusal):
     assert len(NUMBERS) > 60
-    check("scene", PLAIN)
-    assert refusal(PLAIN) == ""
+    named = changed(PLAIN, ("hand", "file"), "fu-cavusoglu-x")
+    for scene in (PLAIN, named):
+        check("scene", scene)
+        assert refusal(scene) == ""
 
 
 @pytest.mark.parametrize(("table", "key", "schema"), NUMBERS, ids=lambda part: str(part)[:40])
