@@ -10,9 +10,11 @@
 
 #include "app/file/text/text.h"
 #include "app/python/law.h"
+#include "app/python/listing.h"
 #include "app/python/results.h"
 #include "app/python/runs.h"
 #include "app/python/scene.h"
+#include "app/python/scene_state.h"
 #include "app/python/session.h"
 #include "core/algorithm/algorithm.h"
 #include "core/algorithm/plugin/plugin_list.h"
@@ -46,8 +48,8 @@ std::vector<std::string_view> algorithm_names() {
 }
 
 void bind_scene(nb::module_& m) {
-  nb::class_<SceneBox>(m, "Scene")
-      .def_static("load", &SceneBox::load)
+  nb::class_<SceneBox> bound(m, "Scene");
+  bound.def_static("load", &SceneBox::load)
       .def("toml", &SceneBox::toml)
       .def("number_keys", &SceneBox::number_keys)
       .def("number",
@@ -61,6 +63,7 @@ void bind_scene(nb::module_& m) {
       .def("with_algorithm", &SceneBox::with_algorithm)
       .def_prop_ro("not_repeatable_because",
                    [](const SceneBox& scene) { return scene.loaded().not_repeatable_because; });
+  bind_scene_state(bound, m);
 }
 
 void bind_rows(nb::module_& m) {
@@ -118,18 +121,27 @@ NB_MODULE(_core, m) {
   bind_rows(m);
   bind_laws(m);
   bind_session(m);
+  bind_listing(m);
   m.def("run", &run);
-  m.def("batch", [](const std::vector<SceneBox>& scenes) { return dicts_of(run_batch(scenes)); });
-  m.def("compare", [](const SceneBox& scene, const std::vector<std::size_t>& algorithms) {
-    return dicts_of(compare(scene, algorithms));
+  m.def("batch", [](const std::vector<SceneBox>& scenes, int threads) {
+    return dicts_of(run_batch(scenes, threads));
   });
   m.def("worst_hand", [](const SceneBox& scene, std::uint64_t hands, std::uint64_t seed,
                          const std::string& bounds, const std::string& motion, int threads) {
     return search_hand(scene, {hands, seed, bounds, motion, threads});
   });
-  m.def("map",
+  m.def("compare", [](const SceneBox& scene, const std::vector<std::size_t>& algorithms,
+                      int threads) { return dicts_of(compare(scene, algorithms, threads)); });
+  m.def("map", [](const SceneBox& scene, const std::pair<std::string, Numbers>& x,
+                  const std::pair<std::string, Numbers>& y,
+                  const std::vector<std::size_t>& algorithms, int threads) {
+    return python_columns(map(scene, map_values(x), map_values(y), algorithms, threads));
+  });
+  m.def("map_columns",
+        [] { return hapticwall::file::names_of(number_columns(0), &NumberColumn::name); });
+  m.def("check_map",
         [](const SceneBox& scene, const std::pair<std::string, Numbers>& x,
            const std::pair<std::string, Numbers>& y, const std::vector<std::size_t>& algorithms) {
-          return python_columns(map(scene, map_values(x), map_values(y), algorithms));
+          check_map(scene, map_values(x), map_values(y), algorithms);
         });
 }

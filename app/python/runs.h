@@ -53,12 +53,14 @@ class RecordingBox {
 
 // Many runs at once (studies.cpp). All raise as run() does.
 
-// Many scenes on all cores, on one if the law of one of them is Python.
-[[nodiscard]] std::vector<RunSummary> run_batch(const std::vector<SceneBox>& scenes);
+// Many scenes, on one core if the law of one of them is Python. `threads` of all three: max; 0: all
+// cores.
+[[nodiscard]] std::vector<RunSummary> run_batch(const std::vector<SceneBox>& scenes, int threads);
 
 // A row for each algorithm, an index in algorithms(), or for each of its forms.
 [[nodiscard]] std::vector<RunSummary> compare(const SceneBox& scene,
-                                              const std::vector<std::size_t>& algorithms);
+                                              const std::vector<std::size_t>& algorithms,
+                                              int threads);
 
 using MapValues = std::pair<std::string, std::span<const double>>;  // of a key
 
@@ -66,7 +68,11 @@ using MapValues = std::pair<std::string, std::span<const double>>;  // of a key
 // only. Raises KeyError for a key that is no number of the scene.
 [[nodiscard]] std::vector<NumberColumn> map(const SceneBox& scene, const MapValues& x,
                                             const MapValues& y,
-                                            const std::vector<std::size_t>& algorithms);
+                                            const std::vector<std::size_t>& algorithms,
+                                            int threads);
+// Raises as map(), and runs nothing.
+void check_map(const SceneBox& scene, const MapValues& x, const MapValues& y,
+               const std::vector<std::size_t>& algorithms);
 
 struct HandSearch {
   std::uint64_t hands = 0;

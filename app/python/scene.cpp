@@ -33,6 +33,11 @@ bool set_number(Scene& scene, const std::string& key, const SettingValue& value)
   visit_scene_numbers(scene, [&](const NumberPath& path, const auto& number_key, auto& owner) {
     if (done || !(path == name)) return;
     if (number_key.whole() && *number != std::round(*number)) return;
+    // set() clamps a whole number, which validate() would then take.
+    if (number_key.whole() && !number_key.range.contains(*number)) {
+      raise(usage_error(path.text() + ": " +
+                        out_of_range_text(*number, number_key.range, number_key.unit)));
+    }
     number_key.set(owner, *number);
     done = true;
   });

@@ -17,18 +17,22 @@
 namespace hapticwall::python {
 namespace {
 
+void refuse_negative(int threads) {
+  if (threads < 0) raise(usage_error("threads: 0 or more"));
+}
+
 // simulate() runs one axis.
-std::vector<Summary> run_scenes(const std::vector<Scene>& scenes, bool takes_lock,
+std::vector<Summary> run_scenes(const std::vector<Scene>& scenes, int threads,
                                 const StopQuestion& should_stop) {
   try {
-    return simulate_all(
-        scenes, {.threads = takes_lock ? 1 : 0, .should_stop = should_stop, .progress = {}});
+    return simulate_all(scenes, {.threads = threads, .should_stop = should_stop, .progress = {}});
   } catch (const SceneRefused& refused) {
     throw SimulationRefused(fmt::format("scene {}: {}", refused.scene, refused.what()));
   }
 }
 
-std::vector<RunSummary> run_axes(const std::vector<Scene>& scenes) {
+std::vector<RunSummary> run_axes(const std::vector<Scene>& scenes, int threads) {
+  refuse_negative(threads);
   std::vector<Scene> of_one_axis;
   for (const Scene& scene : scenes) {
     if (!scene.two_axes()) of_one_axis.push_back(scene);
@@ -36,7 +40,7 @@ std::vector<RunSummary> run_axes(const std::vector<Scene>& scenes) {
   const bool locks = std::ranges::any_of(
       scenes, [](const Scene& scene) { return takes_lock(scene.algorithm.index); });
   return interruptibly([&](const StopQuestion& should_stop) {
-    std::vector<Summary> summaries = run_scenes(of_one_axis, locks, should_stop);
+    std::vector<Summary> summaries = run_scenes(of_one_axis, locks ? 1 : threads, should_stop);
     std::vector<RunSummary> runs;
     auto next = summaries.begin();
     for (const Scene& scene : scenes) {
@@ -68,6 +72,11 @@ struct MappedNumber {
     if (!number.whole) return std::nullopt;
     const auto broken =
         std::ranges::find_if(values, [](double value) { return value != std::round(value); });
+    const auto beyond =
+        std::ranges::find_if(values, [&](double value) { return !number.range.contains(value); });
+    if (broken == values.end() && beyond != values.end())
+      return usage_error(number.path + ": " +
+                         out_of_range_text(*beyond, number.range, number.unit));
     if (broken == values.end()) return std::nullopt;
     return usage_error(fmt::format("{}: {} where a whole number belongs", number.path,
                                    file::shortest_number(*broken)));
@@ -113,6 +122,16 @@ void check(const Grid& grid) {
   if (const Failure problem = grid.y.problem()) raise(*problem);
 }
 
+Grid grid_of(const Scene& scene, const MapValues& x, const MapValues& y,
+             const std::vector<std::size_t>& algorithms) {
+  const Grid grid{scene,
+                  {mapped_number(scene, x.first), x.second},
+                  {mapped_number(scene, y.first), y.second},
+                  algorithms};
+  check(grid);
+  return grid;
+}
+
 // Problem of the first cell that is no scene. One algorithm is enough: another one makes no other
 // problem of a number.
 Failure cell_problem(const Grid& grid, const StopQuestion& should_stop) {
@@ -123,12 +142,14 @@ Failure cell_problem(const Grid& grid, const StopQuestion& should_stop) {
   return std::nullopt;
 }
 
-Result<std::vector<NumberColumn>> run_cells(const Grid& grid, const StopQuestion& should_stop) {
+Result<std::vector<NumberColumn>> run_cells(const Grid& grid, int threads,
+                                            const StopQuestion& should_stop) {
   if (const Failure problem = cell_problem(grid, should_stop)) return *problem;
   const bool locks = std::ranges::any_of(grid.algorithms, takes_lock);
   std::vector<NumberColumn> columns = number_columns(grid.size());
   for (std::size_t done = 0; done < grid.size() && !should_stop();) {
-    const std::vector<Summary> more = run_scenes(grid.stretch(done), locks, should_stop);
+    const std::vector<Summary> more =
+        run_scenes(grid.stretch(done), locks ? 1 : threads, should_stop);
     append(columns, more);
     done += more.size();
   }
@@ -137,19 +158,20 @@ Result<std::vector<NumberColumn>> run_cells(const Grid& grid, const StopQuestion
 
 }  // namespace
 
-std::vector<RunSummary> run_batch(const std::vector<SceneBox>& boxes) {
+std::vector<RunSummary> run_batch(const std::vector<SceneBox>& boxes, int threads) {
   std::vector<Scene> scenes;
   scenes.reserve(boxes.size());
   for (const SceneBox& box : boxes) scenes.push_back(scene_of_study(box));
-  return run_axes(scenes);
+  return run_axes(scenes, threads);
 }
 
-std::vector<RunSummary> compare(const SceneBox& scene, const std::vector<std::size_t>& algorithms) {
+std::vector<RunSummary> compare(const SceneBox& scene, const std::vector<std::size_t>& algorithms,
+                                int threads) {
   const Scene& compared = scene_of_study(scene);
   const std::vector<ComparedAlgorithm> rows = compared_algorithms(compared.algorithm, algorithms);
   std::vector<Scene> scenes(rows.size(), compared);
   for (std::size_t i = 0; i < rows.size(); ++i) scenes[i].algorithm = rows[i].settings;
-  std::vector<RunSummary> runs = run_axes(scenes);
+  std::vector<RunSummary> runs = run_axes(scenes, threads);
   for (std::size_t i = 0; i < runs.size(); ++i) {
     for (Summary& axis : runs[i]) axis.algorithm = rows[i].label;
   }
@@ -157,15 +179,19 @@ std::vector<RunSummary> compare(const SceneBox& scene, const std::vector<std::si
 }
 
 std::vector<NumberColumn> map(const SceneBox& scene, const MapValues& x, const MapValues& y,
-                              const std::vector<std::size_t>& algorithms) {
-  const Scene& mapped = scene_of_study(scene);
-  const Grid grid{mapped,
-                  {mapped_number(mapped, x.first), x.second},
-                  {mapped_number(mapped, y.first), y.second},
-                  algorithms};
-  check(grid);
-  return value_or_raise(
-      interruptibly([&](const StopQuestion& should_stop) { return run_cells(grid, should_stop); }));
+                              const std::vector<std::size_t>& algorithms, int threads) {
+  refuse_negative(threads);
+  const Grid grid = grid_of(scene_of_study(scene), x, y, algorithms);
+  return value_or_raise(interruptibly(
+      [&](const StopQuestion& should_stop) { return run_cells(grid, threads, should_stop); }));
+}
+
+void check_map(const SceneBox& scene, const MapValues& x, const MapValues& y,
+               const std::vector<std::size_t>& algorithms) {
+  const Grid grid = grid_of(scene_of_study(scene), x, y, algorithms);
+  const Failure problem = interruptibly(
+      [&](const StopQuestion& should_stop) { return cell_problem(grid, should_stop); });
+  if (problem) raise(*problem);
 }
 
 }  // namespace hapticwall::python

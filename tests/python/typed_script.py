@@ -1,5 +1,8 @@
 """A script of a user, for mypy --strict."""
 
+from concurrent.futures import ProcessPoolExecutor
+from typing import Any
+
 import numpy as np
 
 import hapticwall as hw
@@ -18,3 +21,25 @@ with hw.Session(scene, mine) as session:
     session.set("wall.stiffness_n_per_m", 1e3)
     depth: float = sample.penetration_m + session.position_m
     ended: bool = session.diverged or session.summary["verdict"] == "diverged"
+copied: hw.Scene = hw.Scene.from_text(str(scene))
+same: bool = copied == scene
+key: hw.Key = scene.describe("hand.mass_kg")
+bounds: list[tuple[str, float, float, str]] = [(one.key, one.minimum, one.maximum, one.unit) for one in hw.keys()]
+described: dict[str, str] = hw.scenes()
+version: str = hw.__version__
+with ProcessPoolExecutor(2) as executor:
+    try:
+        rows: list[dict[str, Any]] = hw.batch(
+            [scene, copied], executor=executor, rows_per_task=1, on_rows=lambda first, rows: print(first, len(rows))
+        )
+    except hw.Unfinished as error:
+        missing: list[Any] = error.missing
+    part: hw.Map = hw.map(
+        scene,
+        x=("wall.stiffness_n_per_m", [300.0]),
+        y=("device.mass_kg", [0.1]),
+        executor=executor,
+        on_rows=lambda part: print(part.verdict),
+    )
+table = part.to_xarray()
+compared = hw.compare(scene, threads=1)

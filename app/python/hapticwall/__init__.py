@@ -3,16 +3,22 @@
 SI units throughout. docs/python.md shows every function at work.
 """
 
+from hapticwall import _core
+from hapticwall._executor import Unfinished
+from hapticwall._keys import Key, keys, scenes
 from hapticwall._law import Algorithm, Context, Input, LawError, Parameter, Wall, algorithm, algorithms
 from hapticwall._run import Recording, Run, batch, compare, read, rerun, run
 from hapticwall._scene import Scene, Value, load
 from hapticwall._session import Sample, Session
 from hapticwall._study import Map, WorstHand, map, worst_hand  # noqa: A004
 
+__version__: str = _core.version
+
 __all__ = [
     "Algorithm",
     "Context",
     "Input",
+    "Key",
     "LawError",
     "Map",
     "Parameter",
@@ -21,6 +27,7 @@ __all__ = [
     "Sample",
     "Scene",
     "Session",
+    "Unfinished",
     "Value",
     "Wall",
     "WorstHand",
@@ -28,10 +35,12 @@ __all__ = [
     "algorithms",
     "batch",
     "compare",
+    "keys",
     "load",
     "map",
     "read",
     "rerun",
     "run",
+    "scenes",
     "worst_hand",
 ]

@@ -56,7 +56,7 @@ _Result = TypeVar("_Result")
 
 # A function of a law: an address, an object with one (numba's @cfunc), a ctypes callback, or a
 # Python function.
-Function: TypeAlias = int | Callable[..., Any] | Any
+Function: TypeAlias = int | Callable[[Any, Any], Any] | Any
 
 
 @dataclass(frozen=True)
@@ -87,6 +87,33 @@ class LawError(RuntimeError):
     def __init__(self, result: object) -> None:
         super().__init__("the law raised an exception; its force was zero from then on")
         self.result = result
+
+
+@dataclass(frozen=True)
+class Given:
+    """The arguments of algorithm(): functions, and all others by their names."""
+
+    step: Function
+    configure: Function
+    reset: Function
+    others: dict[str, Any]
+
+    def same(self, other: Given | None) -> bool:
+        """The same functions with the same arguments. NaN as a fallback equals NaN."""
+        functions = ("step", "configure", "reset")
+        return (
+            other is not None
+            and all(getattr(self, name) is getattr(other, name) for name in functions)
+            and repr(self.others) == repr(other.others)
+        )
+
+
+_given: dict[str, Given] = {}
+
+
+def given(name: str) -> Given | None:
+    """What algorithm() has got for this name."""
+    return _given.get(name)
 
 
 # By the name of a law: what its addresses belong to.
@@ -200,6 +227,10 @@ def algorithm(
     texts = (name, title or name, idea or title or name, equation)
     _core.add_law(*texts, state_bytes, described, steps, configures, resets, _takes_lock(step))
     _kept[name] = functions
+    others = dict(
+        state_bytes=state_bytes, parameters=list(parameters), title=title, idea=idea, equation=equation
+    )
+    _given[name] = Given(step, configure, reset, others)
     return Algorithm(name)
 
 

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import warnings
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from concurrent.futures import Executor
 from functools import cached_property
 from typing import Any, TypeAlias
 
@@ -11,6 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from hapticwall import _core
+from hapticwall._executor import batch_by
 from hapticwall._law import Algorithm, heard, index_of, indices_of, told
 from hapticwall._path import Path, file_text, path_text
 from hapticwall._scene import Scene, Value, scene_of, setting
@@ -93,19 +95,40 @@ def run(scene: Scene | Path, algorithm: Algorithm | Path | None = None) -> Run:
     return told(raised, result)
 
 
-def batch(scenes: Iterable[Scene]) -> list[Summary]:
-    """Runs many scenes on all cores; their summaries, in order."""
+def batch(
+    scenes: Iterable[Scene],
+    *,
+    threads: int | None = None,
+    executor: Executor | None = None,
+    rows_per_task: int = 8,
+    on_rows: Callable[[int, list[Summary]], object] | None = None,
+) -> list[Summary]:
+    """Runs many scenes; their summaries, in order. The same bits for any number of threads and workers.
+
+    `threads`: max, 0 for all cores. None is all cores, and one core in a task of an executor.
+    `executor` takes `rows_per_task` scenes a task, and `on_rows(first, summaries)` is called for each
+    task that has ended. Unfinished, with what was done, if a task fails or its worker is lost.
+    """
+    if executor is not None:
+        return batch_by(executor, list(scenes), rows_per_task, 1 if threads is None else threads, on_rows)
     cores = [scene._core for scene in scenes]
     with heard() as raised:
-        summaries = _core.batch(cores)
+        summaries = _core.batch(cores, threads or 0)
+    if on_rows is not None:
+        on_rows(0, summaries)
     return told(raised, summaries)
 
 
-def compare(scene: Scene | Path, algorithms: Sequence[Algorithm | Path] | None = None) -> list[Summary]:
-    """Summaries of a scene under these algorithms, or all built-in ones: the rows of `hapticwall compare`."""
+def compare(
+    scene: Scene | Path, algorithms: Sequence[Algorithm | Path] | None = None, *, threads: int = 0
+) -> list[Summary]:
+    """Summaries of a scene under these algorithms, or all built-in ones: the rows of `hapticwall compare`.
+
+    `threads`: max, 0 for all cores.
+    """
     core, indices = scene_of(scene)._core, indices_of(algorithms)
     with heard() as raised:
-        summaries = _core.compare(core, indices)
+        summaries = _core.compare(core, indices, threads)
     return told(raised, summaries)
 
 

@@ -11,8 +11,10 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from hapticwall import _core
+from hapticwall._keys import Key, keys_of
 from hapticwall._law import Algorithm, index_of
 from hapticwall._path import Path, name_or_file
+from hapticwall._travel import scene_arrived, traveller_of
 
 # What a key takes: a number, true or false, a word, or the points of a path.
 Value: TypeAlias = float | str | bool | Sequence[Sequence[float]]
@@ -42,11 +44,19 @@ class Scene:
     """A scene. Its keys are those of a scene file and of --set, such as "hand.mass_kg".
 
     A key that the scene omits has the value None. Every change is checked at once: ValueError for a
-    wrong value, KeyError for an unknown key, with the nearest name. Iteration gives keys().
+    wrong value, KeyError for an unknown key, with the nearest name. Iteration gives keys(). Two scenes
+    are equal if all values are. A scene can be pickled and copied; a copy changes by itself.
     """
 
     def __init__(self, core: _core.Scene) -> None:
         self._core = core
+
+    @classmethod
+    def from_text(cls, toml: str) -> Scene:
+        """A scene from the text of a scene file, as str() gives it. ValueError says what is wrong with it."""
+        if not isinstance(toml, str):
+            raise TypeError(f"the text of a scene file is a str, not {toml!r}")
+        return cls(_core.Scene.of_text(toml))
 
     def __getitem__(self, key: str) -> Any:
         if not isinstance(key, str):
@@ -86,6 +96,30 @@ class Scene:
     def keys(self) -> list[str]:
         """The keys of all numbers of this scene."""
         return self._core.number_keys()
+
+    def describe(self, key: str) -> Key:
+        """Unit, range and default of a number, switch or choice. KeyError for an unknown key."""
+        found = {described.key: described for described in keys_of(self._core)}
+        usual = key.replace("wall[0].", "wall.", 1)
+        if key in found or usual in found:
+            return found[key if key in found else usual]
+        self[key]
+        raise KeyError(f"{key!r}: no number, switch or choice")
+
+    def __eq__(self, other: object) -> bool:
+        return self._core.equal(other._core) if isinstance(other, Scene) else NotImplemented
+
+    def __copy__(self) -> Scene:
+        return type(self)(self._core)  # a change makes another core
+
+    def __deepcopy__(self, memo: object) -> Scene:
+        return type(self)(self._core)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """With its algorithms. ValueError for a scene or an algorithm that cannot travel."""
+        toml, paths = self._core.state()
+        travellers = [traveller_of(index) for index in self._core.algorithms()]
+        return scene_arrived, (type(self), travellers, toml, paths)
 
     def __str__(self) -> str:
         """The scene as a scene file."""

@@ -2,31 +2,38 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from concurrent.futures import Executor
 from dataclasses import dataclass, field
 
 import numpy as np
 import numpy.typing as npt
 
 from hapticwall import _core
+from hapticwall._executor import Columns, MapTasks, Numbers
 from hapticwall._law import Algorithm, algorithms as all_algorithms, heard, index_of, indices_of, told
 from hapticwall._path import Path
 from hapticwall._scene import Scene, scene_of
+from hapticwall._xarray import Dataset, dataset, unit_of
 
 # In the order of the module's index, from good to bad.
-_VERDICTS = np.array(["settled", "moving", "no contact", "active", "buzzing", "oscillating", "diverged"])
+_VERDICTS = np.array(["settled", "moving", "no contact", "active", "buzzing", "oscillating", "diverged", ""])
 
 Values = Sequence[float] | npt.NDArray[np.float64]
 
 
 @dataclass(frozen=True)
 class Map:
-    """A map. Its arrays have the axes algorithm, y, x."""
+    """A map. Its arrays have the axes algorithm, y, x. The keys are those of x and y, with their units."""
 
     x: npt.NDArray[np.float64]
     y: npt.NDArray[np.float64]
     algorithms: list[str]
     columns: dict[str, npt.NDArray[np.float64]]
+    x_key: str = "x"
+    y_key: str = "y"
+    x_unit: str = ""
+    y_unit: str = ""
 
     def __getitem__(self, key: str) -> npt.NDArray[np.float64]:
         """A number of the summary for every cell, such as "tail_peak_to_peak_m"; NaN for none."""
@@ -34,13 +41,18 @@ class Map:
 
     @property
     def verdict(self) -> npt.NDArray[np.str_]:
-        """ "settled", "moving", "no contact", "active", "buzzing", "oscillating" or "diverged"."""
-        names: npt.NDArray[np.str_] = _VERDICTS[self["verdict"].astype(int)]
+        """ "settled", "moving", "no contact", "active", "buzzing", "oscillating" or "diverged"; "" for a missing cell."""
+        missing = len(_VERDICTS) - 1
+        names: npt.NDArray[np.str_] = _VERDICTS[np.nan_to_num(self["verdict"], nan=missing).astype(int)]
         return names
 
     @property
     def settled(self) -> npt.NDArray[np.bool_]:
         return np.equal(self["verdict"], 0.0)
+
+    def to_xarray(self) -> Dataset:
+        """An xarray.Dataset: dimensions "algorithm" and the two keys, `units` as attributes. It needs xarray."""
+        return dataset(self)
 
 
 def _values(key: str, values: Values) -> npt.NDArray[np.float64]:
@@ -56,17 +68,40 @@ def map(  # noqa: A001
     x: tuple[str, Values],
     y: tuple[str, Values],
     algorithms: Sequence[Algorithm | Path] | None = None,
+    threads: int | None = None,
+    executor: Executor | None = None,
+    rows_per_task: int = 8,
+    on_rows: Callable[[Map], object] | None = None,
 ) -> Map:
-    """Runs axis x of a scene for every x, y and algorithm, on all cores. All built-in algorithms by default.
+    """Runs axis x of a scene for every x, y and algorithm. All built-in algorithms by default.
 
     A key is a number of axis x, of the loop or of an algorithm, or "hand.path_speed_m_per_s".
+    `threads`: max, 0 for all cores. None is all cores, and one core in a task of an executor.
+    `executor` takes `rows_per_task` rows a task: all x of so many y under one algorithm.
+    `on_rows(part)` is called for each task that has ended, with its part of the map. Unfinished, with
+    what was done, if a task fails or its worker is lost.
     """
     xs, ys = _values(*x), _values(*y)
-    indices = indices_of(algorithms)
+    scene, indices, names = scene_of(scene), indices_of(algorithms), all_algorithms()
+    chosen = [names[index] for index in indices]
+    units = unit_of(scene, x[0]), unit_of(scene, y[0])
+
+    def made(columns: Columns, ys: Numbers = ys, algorithms: list[str] = chosen) -> Map:
+        return Map(xs, ys, algorithms, columns, x[0], y[0], *units)
+
+    if executor is not None:
+        return MapTasks(scene, (x[0], xs), (y[0], ys), indices).run(
+            executor,
+            rows_per_task,
+            1 if threads is None else threads,
+            lambda a, part, columns: on_rows and on_rows(made(columns, ys[part], chosen[a : a + 1])),
+            made,
+        )
     with heard() as raised:
-        columns = _core.map(scene_of(scene)._core, (x[0], xs), (y[0], ys), indices)
-    names = all_algorithms()
-    return told(raised, Map(xs, ys, [names[index] for index in indices], columns))
+        found = made(_core.map(scene._core, (x[0], xs), (y[0], ys), indices, threads or 0))
+    if on_rows is not None:
+        on_rows(found)
+    return told(raised, found)
 
 
 @dataclass(frozen=True)
