@@ -3,7 +3,7 @@
 #   core, app/file <- app/compare, app/draw, app/table; app/compare, app/draw, app/table <- app/ui; app/draw <- app/command;
 #   app/table, the data of app/draw <- app/study <- app/ui, app/command;
 #   core <- app/sound/signal <- app/command; app/sound/signal, app/session, device <- app/sound/live <- app/ui;
-#   core, app/file, app/table <- app/command/report <- app/command; core, app/file, app/session <- app/python.
+#   core, app/file, app/table <- app/command/report <- app/command; core, app/file, app/session, app/table, app/study <- app/python.
 # Within a layer the rooms have arrows, too:
 #   device <- device/link <- device/port; app/session: loop <- the files beside it;
 #   app/command: the files beside the rooms <- run, study, map, device; run, study <- compare; run <- replay, identify;
@@ -28,7 +28,7 @@ set(may_include_app/sound/live core device app/session app/sound/signal app/soun
 set(may_include_app/ui core device app/file app/session app/compare app/table app/draw app/study app/sound/live app/ui)
 set(may_include_app/command/report core app/file app/table app/command/report)
 set(may_include_app/command core device app/file app/session app/table app/draw app/study app/sound/signal app/command/report app/command)
-set(may_include_app/python core app/file app/session app/python)
+set(may_include_app/python core app/file app/session app/table app/study app/python)
 set(may_include_app ${layers})
 set(may_include_tests ${layers})
 

@@ -11,6 +11,7 @@
 #include "app/file/text/text.h"
 #include "app/python/law.h"
 #include "app/python/listing.h"
+#include "app/python/named_study.h"
 #include "app/python/results.h"
 #include "app/python/runs.h"
 #include "app/python/scene.h"
@@ -122,6 +123,7 @@ NB_MODULE(_core, m) {
   bind_laws(m);
   bind_session(m);
   bind_listing(m);
+  bind_studies(m);
   m.def("run", &run);
   m.def("batch", [](const std::vector<SceneBox>& scenes, int threads) {
     return dicts_of(run_batch(scenes, threads));

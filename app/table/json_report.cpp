@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "app/file/text/text.h"
+#include "core/algorithm/algorithm.h"
 #include "core/text.h"
 
 namespace hapticwall::table {
@@ -30,6 +31,20 @@ void add_limits(const Boundary& boundary, Json& object) {
   object["last_failure"] = json_number(boundary.failed.last);
   object["changes"] = boundary.changes;
   object["stable_below_n_per_m"] = json_number(boundary.stable_below_n_per_m);
+}
+
+Json boundary_object(const BoundaryPlan& plan, const Boundary& boundary) {
+  AlgorithmSettings settings = plan.scene.algorithm;
+  settings.index = plan.algorithms.at(boundary.algorithm);
+  Json object{{"algorithm", algorithm_label(settings)}};
+  if (plan.x) object[plan.x->number.path] = json_number(boundary.x);
+  add_limits(boundary, object);
+  const bool known = boundary.at_settled.has_value();
+  object["displayed_stiffness_n_per_m"] =
+      known ? json_number(boundary.at_settled->displayed_stiffness_n_per_m) : Json();
+  object["tail_peak_to_peak_m"] =
+      known ? json_number(boundary.at_settled->tail_peak_to_peak_m) : Json();
+  return object;
 }
 
 std::string json_text(const Json& object) {

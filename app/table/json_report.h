@@ -18,6 +18,9 @@ using Json = nlohmann::ordered_json;
 // The extents of settled and failed values, the changes of verdict, and the limit of theory.
 void add_limits(const Boundary& boundary, Json& object);
 
+// A boundary as JSON and CSV show it.
+[[nodiscard]] Json boundary_object(const BoundaryPlan& plan, const Boundary& boundary);
+
 // JSON text with a line end. Replaces invalid UTF-8, which a scene's name may contain.
 [[nodiscard]] std::string json_text(const Json& object);
 

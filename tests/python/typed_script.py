@@ -43,3 +43,7 @@ with ProcessPoolExecutor(2) as executor:
     )
 table = part.to_xarray()
 compared = hw.compare(scene, threads=1)
+limits = hw.boundary(scene, hw.Axis("wall.stiffness_n_per_m", 300.0, 1e5, 7, True), algorithms=["none"], threads=2)
+first: float | None = limits[0]["first_failure"]
+options: list[str] = [option for study in hw.studies().values() for option in study]
+errors: list[dict[str, Any]] = hw.accuracy(scene, substeps=[1, 10]) + hw.study("ranking", scene, algorithms=["none"])

@@ -59,18 +59,6 @@ std::string significant(std::optional<double> value) {
   return value ? fmt::format("{:.6g}", *value) : "-";
 }
 
-table::Json boundary_object(const BoundaryPlan& plan, const Boundary& boundary) {
-  table::Json object{{"algorithm", label_of(plan.scene, plan.algorithms.at(boundary.algorithm))}};
-  if (plan.x) object[plan.x->number.path] = table::json_number(boundary.x);
-  table::add_limits(boundary, object);
-  const bool known = boundary.at_settled.has_value();
-  object["displayed_stiffness_n_per_m"] =
-      known ? table::json_number(boundary.at_settled->displayed_stiffness_n_per_m) : table::Json();
-  object["tail_peak_to_peak_m"] =
-      known ? table::json_number(boundary.at_settled->tail_peak_to_peak_m) : table::Json();
-  return object;
-}
-
 std::vector<std::string> boundary_row(const BoundaryPlan& plan, const Boundary& boundary) {
   std::vector<std::string> row{label_of(plan.scene, plan.algorithms.at(boundary.algorithm))};
   if (plan.x) row.push_back(significant(boundary.x));
@@ -171,14 +159,16 @@ std::string boundary_json(const BoundaryPlan& plan, const std::vector<Boundary>&
                      {"tolerance", plan.tolerance}};
   if (plan.x) object["x"] = axis_object(*plan.x);
   table::Json& list = object["boundaries"] = table::Json::array();
-  for (const Boundary& boundary : boundaries) list.push_back(boundary_object(plan, boundary));
+  for (const Boundary& boundary : boundaries)
+    list.push_back(table::boundary_object(plan, boundary));
   return table::json_text(object);
 }
 
 std::string boundary_csv(const BoundaryPlan& plan, const std::vector<Boundary>& boundaries) {
   std::vector<table::Json> lines;
   lines.reserve(boundaries.size());
-  for (const Boundary& boundary : boundaries) lines.push_back(boundary_object(plan, boundary));
+  for (const Boundary& boundary : boundaries)
+    lines.push_back(table::boundary_object(plan, boundary));
   return table::csv_text(lines);
 }
 

@@ -7,6 +7,7 @@ from hapticwall import _core
 from hapticwall._executor import Unfinished
 from hapticwall._keys import Key, keys, scenes
 from hapticwall._law import Algorithm, Context, Input, LawError, Parameter, Wall, algorithm, algorithms
+from hapticwall._named_study import Axis, accuracy, boundary, studies, study
 from hapticwall._run import Recording, Run, batch, compare, read, rerun, run
 from hapticwall._scene import Scene, Value, load
 from hapticwall._session import Sample, Session
@@ -16,6 +17,7 @@ __version__: str = _core.version
 
 __all__ = [
     "Algorithm",
+    "Axis",
     "Context",
     "Input",
     "Key",
@@ -31,9 +33,11 @@ __all__ = [
     "Value",
     "Wall",
     "WorstHand",
+    "accuracy",
     "algorithm",
     "algorithms",
     "batch",
+    "boundary",
     "compare",
     "keys",
     "load",
@@ -42,5 +46,7 @@ __all__ = [
     "rerun",
     "run",
     "scenes",
+    "studies",
+    "study",
     "worst_hand",
 ]

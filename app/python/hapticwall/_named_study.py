@@ -1,0 +1,90 @@
+"""The studies of the command line, by name; and boundaries."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+from dataclasses import astuple, dataclass
+from typing import Any
+
+from hapticwall import _core
+from hapticwall._law import Algorithm, heard, index_of, indices_of, told
+from hapticwall._path import Path
+from hapticwall._scene import Scene, scene_of
+
+# A row of the command's --json; None for what does not apply.
+Row = dict[str, Any]
+
+
+@dataclass(frozen=True)
+class Axis:
+    """`count` values of a key from `low` to `high`, in equal steps or in equal ratios."""
+
+    key: str
+    low: float
+    high: float
+    count: int
+    logarithmic: bool = False
+
+
+def studies() -> dict[str, dict[str, str]]:
+    """The studies that study() knows: for each the help of its options."""
+    return {name: {key: text for key, text, _ in options} for name, options in _core.studies()}
+
+
+def _option_text(value: object) -> str:
+    if isinstance(value, Sequence) and not isinstance(value, str):
+        several: Sequence[object] = value
+        return ",".join(str(one) for one in several)
+    return str(value)
+
+
+def study(
+    name: str,
+    scene: Scene | Path,
+    algorithm: Algorithm | Path | None = None,
+    *,
+    threads: int = 0,
+    **options: object,
+) -> list[Row]:
+    """The rows of a study, with the keys of its --json: "ranking" is `hapticwall compare --study`.
+
+    Options are those of the command, with "_" for "-" in their names; a list is joined by commas.
+    `threads`: max, 0 for all cores.
+    """
+    core = scene_of(scene)._core
+    if algorithm is not None:
+        core = core.under(index_of(algorithm))
+    given = [(key.replace("_", "-"), _option_text(value)) for key, value in options.items()]
+    with heard() as raised:
+        found = json.loads(_core.study(core, name, given, threads))
+    rows: list[Row] = found["rows"]
+    return told(raised, rows)
+
+
+def accuracy(
+    scene: Scene | Path, algorithm: Algorithm | Path | None = None, *, threads: int = 0, **options: object
+) -> list[Row]:
+    """Speed and error of every integrator and substep count on a scene: `hapticwall accuracy`."""
+    return study("accuracy", scene, algorithm, threads=threads, **options)
+
+
+def boundary(
+    scene: Scene | Path,
+    along: Axis,
+    *,
+    x: Axis | None = None,
+    algorithms: Sequence[Algorithm | Path] | None = None,
+    tolerance: float = 1e-3,
+    threads: int = 0,
+) -> list[Row]:
+    """First and last value of a key that settle and that fail: the rows of `hapticwall map --boundary`.
+
+    The values of `along` are scanned, then each change of verdict is bisected to the relative
+    `tolerance`. With `x`, for each of its values. All built-in algorithms by default.
+    """
+    core, indices = scene_of(scene)._core, indices_of(algorithms)
+    with heard() as raised:
+        text = _core.boundary(core, astuple(along), None if x is None else astuple(x), indices, tolerance, threads)
+    rows: list[Row] = json.loads(text)
+    return told(raised, rows)
