@@ -123,6 +123,7 @@ Scene scene_with_all_tables() {
 
 void bind_listing(nb::module_& m) {
   m.attr("version") = kVersion;
+  m.attr("build") = kBuild;
   m.def("keys_of", [](const SceneBox& scene) { return keys_of(scene.loaded().scene); });
   m.def("keys", [] { return keys_of(scene_with_all_tables()); });
   m.def("scenes", [] {

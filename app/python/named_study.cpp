@@ -118,22 +118,32 @@ MapAxis axis_of(const Scene& scene, const AxisText& text) {
   return {std::move(*number), low, high, count, logarithmic};
 }
 
-std::string boundary_json(const SceneBox& box, const AxisText& along,
-                          const std::optional<AxisText>& x, const std::vector<std::size_t>& chosen,
-                          double tolerance, int threads) {
+struct BoundaryText {
+  AxisText along;
+  std::optional<AxisText> x;
+  std::vector<std::size_t> algorithms;
+  double tolerance = 0.0;
+};
+
+BoundaryPlan plan_of(const SceneBox& box, const BoundaryText& text) {
   BoundaryPlan plan;
   plan.scene = scene_of_study(box);
-  plan.algorithms = chosen;
-  plan.along = axis_of(plan.scene, along);
-  if (x) plan.x = axis_of(plan.scene, *x);
+  plan.algorithms = text.algorithms;
+  plan.along = axis_of(plan.scene, text.along);
+  if (text.x) plan.x = axis_of(plan.scene, *text.x);
   if (plan.x && plan.x->number.path == plan.along.number.path)
     raise(usage_error("x and along are the same key, " + plan.along.number.path));
-  if (!(tolerance >= kMinTolerance && tolerance < 1.0))
+  if (!(text.tolerance >= kMinTolerance && text.tolerance < 1.0))
     raise(usage_error(fmt::format("tolerance: {:g} to less than 1", kMinTolerance)));
-  plan.tolerance = tolerance;
+  plan.tolerance = text.tolerance;
   if (const auto problem = validate(plan))
     raise(usage_error(problem->key + ": " + problem->message));
-  const int used = threads_for(chosen, threads);
+  return plan;
+}
+
+std::string boundary_json(const SceneBox& box, const BoundaryText& text, int threads) {
+  const BoundaryPlan plan = plan_of(box, text);
+  const int used = threads_for(plan.algorithms, threads);
   const auto found = interruptibly([&](const StopQuestion& should_stop) {
     return find_boundaries(plan, {.threads = used, .should_stop = should_stop, .progress = {}});
   });
@@ -158,7 +168,12 @@ std::vector<std::pair<std::string, std::vector<OptionText>>> study_list() {
 
 void bind_studies(nb::module_& m) {
   m.def("study", &study_json);
+  nb::class_<BoundaryText>(m, "BoundaryText")
+      .def(nb::init<AxisText, std::optional<AxisText>, std::vector<std::size_t>, double>());
   m.def("boundary", &boundary_json);
+  m.def("check_boundary", [](const SceneBox& box, const BoundaryText& text) {
+    static_cast<void>(plan_of(box, text));
+  });
   m.def("studies", &study_list);
 }
 

@@ -13,6 +13,7 @@ import pytest
 import hapticwall as hw
 import laws
 import travelling
+from hapticwall import _executor
 
 SHORT = {"duration_s": 0.05}
 LAWS = travelling.registered()
@@ -78,6 +79,17 @@ def test_algorithms_travel_with_a_map_and_a_batch(executor):
     same_map(found, hw.map(PRESS, **GRID, algorithms=chosen))
     scenes = [PRESS.with_algorithm(law) for law in chosen]
     assert hw.batch(scenes, executor=executor, rows_per_task=2) == hw.batch(scenes)
+
+
+def test_a_boundary_by_tasks_is_the_boundary(executor):
+    along = hw.Axis("wall.stiffness_n_per_m", 300.0, 1e5, 7, logarithmic=True)
+    chosen = ["none", LAWS["limited"], "energy-bounding"]
+    for x in (None, hw.Axis("device.damping_n_s_per_m", 1.0, 3.0, 3)):
+        expected = hw.boundary(PRESS, along, x=x, algorithms=chosen)
+        assert hw.boundary(PRESS, along, x=x, algorithms=chosen, executor=executor) == expected
+        assert len(expected) == (3 if x is None else 9)
+    with pytest.raises(ValueError, match="x and along are the same key"):
+        hw.boundary(PRESS, along, x=along, algorithms=chosen, executor=executor)
 
 
 def test_threads_of_one_call_do_not_change_a_bit():
@@ -156,6 +168,12 @@ def test_a_map_with_lost_rows_has_the_others():
     assert not found.settled[1, 2:].any()
 
 
+def test_a_worker_of_another_version_refuses_its_task():
+    sent = pickle.dumps((hw.__version__, "another-build", [PRESS]))
+    with pytest.raises(RuntimeError, match=rf"the worker has hapticwall {hw.__version__} .*\(another-build\)"):
+        _executor.batch_task(sent, 0, 1)
+
+
 def test_an_executor_that_is_shut_down_loses_all_rows():
     executor = ThreadPoolExecutor(1)
     executor.shutdown()
@@ -165,11 +183,19 @@ def test_an_executor_that_is_shut_down_loses_all_rows():
 
 
 def test_an_error_of_on_rows_ends_the_call():
+    futures = []
+
+    class Kept(ThreadPoolExecutor):
+        def submit(self, *task):
+            futures.append(super().submit(*task))
+            return futures[-1]
+
     def refuses(first, rows):
         raise LookupError("enough")
 
-    with workers("threads", 1) as executor, pytest.raises(LookupError, match="enough"):
+    with Kept(1) as executor, pytest.raises(LookupError, match="enough"):
         hw.batch(SCENES * 50, executor=executor, rows_per_task=1, on_rows=refuses)
+    assert len(futures) == 50 * len(SCENES) and futures[-1].cancelled()
 
 
 SCRIPT = """

@@ -72,6 +72,15 @@ def test_every_number_of_a_scene_is_described(name):
         scene.describe("hand.path")
 
 
+def test_a_whole_number_beyond_its_range_is_not_cut():
+    scene = hw.load("press")
+    for value in (4e9, -1):
+        with pytest.raises(ValueError, match=f"sampling.seed: {value:g}".replace("+0", "").replace("+", "")):
+            scene["sampling.seed"] = value
+        with pytest.raises(ValueError, match="sampling.seed: .* is out of range"):
+            hw.map(scene, x=("sampling.seed", [1, value]), y=("device.mass_kg", [0.1]), algorithms=["none"])
+
+
 def test_a_choice_has_its_words():
     scene = hw.load("press")
     assert scene.describe("wall[0].stiffness_n_per_m") == scene.describe("wall.stiffness_n_per_m")

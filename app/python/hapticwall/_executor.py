@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import json
 import pickle
 import re
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Generator, Sequence
 from concurrent.futures import CancelledError, Executor, Future, as_completed
+from contextlib import closing
 from typing import Any, Generic, TypeVar
 
 import numpy as np
@@ -47,6 +49,20 @@ class Outcome(Generic[_Rows]):
         self.raised = raised
 
 
+def _sent(value: object) -> bytes:
+    return pickle.dumps((_core.version, _core.build, value))
+
+
+def _received(sent: bytes) -> Any:
+    """In a worker. RuntimeError for the task of another version, which may have other numbers."""
+    version, build, value = pickle.loads(sent)
+    if (version, build) != (_core.version, _core.build):
+        raise RuntimeError(
+            f"the worker has hapticwall {_core.version} ({_core.build}), the caller {version} ({build}); install one"
+        )
+    return value
+
+
 def _portable(error: BaseException) -> BaseException:
     try:
         pickle.loads(pickle.dumps(error))
@@ -63,7 +79,7 @@ def _outcome(work: Callable[[], _Rows]) -> Outcome[_Rows]:
 
 def batch_task(sent: bytes, first: int, threads: int) -> Outcome[list[dict[str, Any]]]:
     """Runs in a worker. Scenes arrive as bytes: an error in them is this task's, and ends no worker."""
-    scenes: list[Scene] = pickle.loads(sent)
+    scenes: list[Scene] = _received(sent)
     try:
         return _outcome(lambda: _core.batch([scene._core for scene in scenes], threads))
     except RuntimeError as error:  # "scene 3: ..." counts from the task's first
@@ -73,9 +89,21 @@ def batch_task(sent: bytes, first: int, threads: int) -> Outcome[list[dict[str, 
 
 def map_task(sent: bytes, law: bytes, x: tuple[str, Numbers], y: tuple[str, Numbers], threads: int) -> Outcome[Columns]:
     """Runs in a worker: all x of these y, under one algorithm."""
-    scene: Scene = pickle.loads(sent)
+    scene: Scene = _received(sent)
     indices = arrived([pickle.loads(law)])
     return _outcome(lambda: _core.map(scene._core, x, y, indices, threads))
+
+
+AxisText = tuple[str, float, float, int, bool]
+
+
+def boundary_task(
+    sent: bytes, law: bytes, along: AxisText, x: AxisText | None, tolerance: float, threads: int
+) -> Outcome[str]:
+    """Runs in a worker: the boundaries of one algorithm, as JSON."""
+    scene: Scene = _received(sent)
+    text = _core.BoundaryText(along, x, arrived([pickle.loads(law)]), tolerance)
+    return _outcome(lambda: _core.boundary(scene._core, text, threads))
 
 
 Task = tuple[Any, ...]  # a function and its arguments
@@ -103,8 +131,8 @@ class _Tasks(Generic[_Rows]):
         self.failure = self.failure or error
         self.lost.append(number)
 
-    def done(self) -> Iterator[tuple[int, _Rows]]:
-        """Number and rows of each task, as they end. Those that fail are in `lost`."""
+    def done(self) -> Generator[tuple[int, _Rows], None, None]:
+        """Number and rows of each task, as they end. Those that fail are in `lost`. close() cancels the rest."""
         futures = self._submit()
         try:
             for future in as_completed(futures):
@@ -117,7 +145,7 @@ class _Tasks(Generic[_Rows]):
                 self.raised = self.raised or outcome.raised
                 yield number, outcome.rows
         finally:
-            for future in futures:  # of a call that ends early; nothing for the others
+            for future in futures:  # those of a call that ends early; a task that has ended stays as it is
                 future.cancel()
 
     def result(self, result: _Result, missing: Callable[[int], Sequence[Any]]) -> _Result:
@@ -145,16 +173,17 @@ def batch_by(
 ) -> list[Any]:
     step = _step(rows_per_task)
     starts = range(0, len(scenes), step)
-    sent = [pickle.dumps(list(scenes[first : first + step])) for first in starts]
+    sent = [_sent(list(scenes[first : first + step])) for first in starts]
     tasks: _Tasks[list[dict[str, Any]]] = _Tasks(
         executor, [(batch_task, part, first, threads) for part, first in zip(sent, starts, strict=True)]
     )
     summaries: list[dict[str, Any] | None] = [None] * len(scenes)
-    for number, rows in tasks.done():
-        first = starts[number]
-        summaries[first : first + len(rows)] = rows
-        if on_rows is not None:
-            on_rows(first, rows)
+    with closing(tasks.done()) as done:
+        for number, rows in done:
+            first = starts[number]
+            summaries[first : first + len(rows)] = rows
+            if on_rows is not None:
+                on_rows(first, rows)
     return tasks.result(summaries, lambda number: range(len(scenes))[starts[number] : starts[number] + step])
 
 
@@ -174,18 +203,38 @@ class MapTasks:
         result: Callable[[Columns], _Result],
     ) -> _Result:
         step = _step(rows_per_task)
-        sent, laws = pickle.dumps(self.scene), [pickle.dumps(traveller_of(index)) for index in self.indices]
+        sent, laws = _sent(self.scene), [pickle.dumps(traveller_of(index)) for index in self.indices]
         parts = [(a, slice(i, i + step)) for a in range(len(laws)) for i in range(0, self.y[1].size, step)]
         tasks: _Tasks[Columns] = _Tasks(
             executor, [(map_task, sent, laws[a], self.x, (self.y[0], self.y[1][ys]), threads) for a, ys in parts]
         )
         shape = (len(laws), self.y[1].size, self.x[1].size)
         columns = {key: np.full(shape, np.nan) for key in _core.map_columns()}
-        for number, found in tasks.done():
-            algorithm, ys = parts[number]
-            for key, values in found.items():
-                columns[key][algorithm, ys] = values.reshape(-1, shape[2])
-            on_part(algorithm, ys, found)
+        with closing(tasks.done()) as done:
+            for number, found in done:
+                algorithm, ys = parts[number]
+                for key, values in found.items():
+                    columns[key][algorithm, ys] = values.reshape(-1, shape[2])
+                on_part(algorithm, ys, found)
         whole = result({key: values.reshape(-1) for key, values in columns.items()})
         rows = range(shape[1])
         return tasks.result(whole, lambda number: [(parts[number][0], y) for y in rows[parts[number][1]]])
+
+
+def boundary_by(
+    executor: Executor,
+    scene: Scene,
+    axes: tuple[AxisText, AxisText | None],
+    indices: Sequence[int],
+    tolerance: float,
+    threads: int,
+) -> list[Any]:
+    along, x = axes
+    sent, laws = _sent(scene), [pickle.dumps(traveller_of(index)) for index in indices]
+    tasks: _Tasks[str] = _Tasks(executor, [(boundary_task, sent, law, along, x, tolerance, threads) for law in laws])
+    count = 1 if x is None else x[3]
+    rows: list[Any] = [None] * (count * len(laws))
+    with closing(tasks.done()) as done:
+        for number, text in done:
+            rows[number * count : (number + 1) * count] = json.loads(text)
+    return tasks.result(rows, lambda number: range(number * count, (number + 1) * count))

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import json
 from collections.abc import Sequence
-from dataclasses import astuple, dataclass
+from concurrent.futures import Executor
+from dataclasses import dataclass
 from typing import Any
 
 from hapticwall import _core
+from hapticwall._executor import AxisText, boundary_by
 from hapticwall._law import Algorithm, heard, index_of, indices_of, told
 from hapticwall._path import Path
 from hapticwall._scene import Scene, scene_of
@@ -76,15 +78,27 @@ def boundary(
     x: Axis | None = None,
     algorithms: Sequence[Algorithm | Path] | None = None,
     tolerance: float = 1e-3,
-    threads: int = 0,
+    threads: int | None = None,
+    executor: Executor | None = None,
 ) -> list[Row]:
     """First and last value of a key that settle and that fail: the rows of `hapticwall map --boundary`.
 
     The values of `along` are scanned, then each change of verdict is bisected to the relative
-    `tolerance`. With `x`, for each of its values. All built-in algorithms by default.
+    `tolerance`. With `x`, for each of its values. All built-in algorithms by default. `threads`: max,
+    0 for all cores. None is all cores, and one core in a task of an `executor`, which takes one
+    algorithm a task.
     """
-    core, indices = scene_of(scene)._core, indices_of(algorithms)
+    scene, indices = scene_of(scene), indices_of(algorithms)
+    axes = _text(along), None if x is None else _text(x)
+    text = _core.BoundaryText(*axes, indices, tolerance)
+    if executor is not None:
+        _core.check_boundary(scene._core, text)
+        return boundary_by(executor, scene, axes, indices, tolerance, 1 if threads is None else threads)
     with heard() as raised:
-        text = _core.boundary(core, astuple(along), None if x is None else astuple(x), indices, tolerance, threads)
-    rows: list[Row] = json.loads(text)
+        found = _core.boundary(scene._core, text, threads or 0)
+    rows: list[Row] = json.loads(found)
     return told(raised, rows)
+
+
+def _text(axis: Axis) -> AxisText:
+    return axis.key, axis.low, axis.high, axis.count, axis.logarithmic
