@@ -142,7 +142,9 @@ def local():
 
 def test_a_function_without_a_place_stays():
     address = ctypes.cast(laws.ctypes_step, ctypes.c_void_p).value
-    for number, step in enumerate((lambda state, tick: 0.0, local(), address, laws.ctypes_step)):
+    hidden = local()  # another function has its place
+    hidden.__module__, hidden.__qualname__ = "travelling", "limited"
+    for number, step in enumerate((lambda state, tick: 0.0, local(), address, laws.ctypes_step, hidden)):
         scene = hw.load("press").with_algorithm(hw.algorithm(step, name=f"stays-{number}"))
         with pytest.raises(ValueError, match=f"algorithm 'stays-{number}': its step cannot travel") as refused:
             pickle.dumps(scene)
