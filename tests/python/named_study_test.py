@@ -34,10 +34,15 @@ def test_the_accuracy_is_that_of_the_command_line():
     assert [row["ns_per_tick"] > 0.0 for row in found] == [True] * len(expected)
 
 
+def test_the_named_hands_are_those_of_the_command_line():
+    options = ("--algorithms", "none,half-sample", "--hands", "all", "--json", "-")
+    expected = json.loads(hapticwall("compare", "tap", *DURATION, *options))["rows"]
+    assert hw.study("hands", TAP, algorithms=["none", "half-sample"]) == expected
+
+
 def test_every_study_of_the_command_line_is_known():
     for name, options in hw.studies().items():
-        command = ("compare", "--help") if name == "ranking" else (name, "--help")
-        told = hapticwall(*command)
+        told = hapticwall("compare" if name in ("ranking", "hands") else name, "--help")
         assert all(f"--{option}" in told for option in options)
 
 
