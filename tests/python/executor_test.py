@@ -133,6 +133,22 @@ def test_an_exception_of_a_law_comes_back(method):
         assert (found.verdict[1] == "diverged").any() and not (found.verdict == "").any()
 
 
+def test_an_exception_is_heard_beside_a_call_that_ends_earlier():
+    # The short call ends while the law of the long one still runs, and would take the hook with it.
+    slow = hw.load("press").replace({"duration_s": 0.5}).with_algorithm(LAWS["raises late"])
+    before = sys.unraisablehook
+    with workers("threads") as executor:
+        short = executor.submit(hw.run, PRESS.with_algorithm(LAWS["waits"]))
+        assert travelling.waiting.wait(60.0)
+        late = executor.submit(hw.run, slow)
+        short.result()
+        travelling.may_raise.set()
+        with pytest.raises(hw.LawError) as told:
+            late.result()
+    assert isinstance(told.value.__cause__, ZeroDivisionError)
+    assert told.value.result.summary["verdict"] == "diverged" and sys.unraisablehook is before
+
+
 @pytest.mark.parametrize("method", ["fork", "spawn"])
 def test_a_killed_worker_loses_only_its_own_rows(method):
     scenes = [PRESS.with_algorithm(LAWS["kills"], deadly=float(i == 5)) for i in range(8)]

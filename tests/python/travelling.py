@@ -2,6 +2,7 @@
 
 import os
 import signal
+import threading
 
 import hapticwall as hw
 
@@ -13,6 +14,24 @@ def limited(state, tick):
 def raises(state, tick):
     if tick[0].tick == 30:
         raise ZeroDivisionError("at tick 30")
+    return tick[0].wall_force_n
+
+
+waiting, started, may_raise = threading.Event(), threading.Event(), threading.Event()
+
+
+def waits(state, tick):
+    if tick[0].tick == 0:
+        waiting.set()
+        started.wait(60.0)
+    return tick[0].wall_force_n
+
+
+def raises_late(state, tick):
+    if tick[0].tick == 30:
+        started.set()
+        may_raise.wait(60.0)
+        raise ZeroDivisionError("late")
     return tick[0].wall_force_n
 
 
@@ -31,6 +50,8 @@ def registered():
     deadly = [hw.Parameter("deadly", "", 0.0, 1.0, 0.0, "1: ends the process")]
     return {
         "limited": hw.algorithm(limited, name="limited"),
+        "waits": hw.algorithm(waits, name="waits"),
+        "raises late": hw.algorithm(raises_late, name="raises-late"),
         "raises": hw.algorithm(raises, name="raises"),
         "kills": hw.algorithm(kills, name="kills", state_bytes=8, configure=read_switch, parameters=deadly),
     }

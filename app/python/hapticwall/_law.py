@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ctypes
 import sys
+import threading
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -254,23 +255,39 @@ def indices_of(chosen: Sequence[Algorithm | Path] | None) -> list[int]:
     return [index_of(one) for one in chosen]
 
 
+# Calls that run now, in any thread, and the hook before the first of them. A law's exception does not
+# tell its call: all that run then hear of it.
+_calls: list[list[BaseException]] = []
+_calls_lock = threading.Lock()
+_hook_before: list[Callable[[sys.UnraisableHookArgs], Any]] = []
+
+
+def _hear(unraisable: sys.UnraisableHookArgs) -> None:
+    if not _core.note_raised():
+        for before in _hook_before:
+            before(unraisable)
+        return
+    for raised in tuple(_calls):
+        if unraisable.exc_value is not None and not raised:
+            raised.append(unraisable.exc_value)
+
+
 @contextmanager
 def heard() -> Iterator[list[BaseException]]:
     """The exceptions of laws, which ctypes and numba cannot pass on, from here on."""
     raised: list[BaseException] = []
-    before = sys.unraisablehook
-
-    def hear(unraisable: sys.UnraisableHookArgs) -> None:
-        if not _core.note_raised():
-            before(unraisable)
-        elif unraisable.exc_value is not None and not raised:
-            raised.append(unraisable.exc_value)
-
-    sys.unraisablehook = hear
+    with _calls_lock:
+        if not _calls:
+            _hook_before[:] = [sys.unraisablehook]
+            sys.unraisablehook = _hear
+        _calls.append(raised)
     try:
         yield raised
     finally:
-        sys.unraisablehook = before
+        with _calls_lock:
+            _calls[:] = [one for one in _calls if one is not raised]  # equal lists are others'
+            if not _calls:
+                sys.unraisablehook = _hook_before.pop()
 
 
 def told(raised: list[BaseException], result: _Result) -> _Result:
