@@ -20,6 +20,8 @@ class PlantVariation {
         noise_(scene.sampling.seed.value_or(1), scene.first_axis, Purpose::kPositionNoise) {}
 
   [[nodiscard]] bool any_period() const { return jitter_ > 0.0; }
+  // False: measured_m() returns its argument.
+  [[nodiscard]] bool has_noise() const { return noise_m_ > 0.0; }
   // Length of the tick, nominal periods.
   [[nodiscard]] double periods(std::uint64_t tick) const {
     return 1.0 + jitter_ * (2.0 * period_.uniform(tick) - 1.0);

@@ -54,12 +54,16 @@ class HeadlessDevice {
         variation_(variation),
         tick_(tick),
         motion_(plant.motion()),
+        has_noise_(variation.has_noise()),
         has_encoder_(encoder_m > 0.0),
         has_output_stage_(output.present()),
         encoder_(encoder_m) {}
 
   DeviceReading read() {
-    double position_m = variation_.measured_m(true_position_m(), tick_);
+    double position_m = true_position_m();
+    if (has_noise_) [[unlikely]] {
+      position_m = variation_.measured_m(position_m, tick_);
+    }
     if (has_encoder_) {
       position_m = encoder_.read(position_m);
     }
@@ -112,6 +116,7 @@ class HeadlessDevice {
   const PlantVariation& variation_;
   std::uint64_t tick_;
   typename Plant::Motion motion_;
+  bool has_noise_;
   bool has_encoder_;
   bool has_output_stage_;
   CountingEncoder encoder_;

@@ -219,26 +219,36 @@ namespace detail {
   return wanted_n;
 }
 
+// A tick of a loop that skips some, by value: the state of the loop of an ideal one then needs no
+// address.
+struct HeldTick {
+  ServoState state;
+  TickOutcome out;
+  double wanted_n = 0.0;
+};
+
 // compute_force(), or the force of the last computation on a tick that is skipped. A skipped tick
 // knows where the handle is, and has the velocity of the last computation.
-[[gnu::always_inline]] inline double compute_or_hold(const ServoSettings& settings,
-                                                     ServoState& state, ActiveEstimator& estimator,
-                                                     FollowedAlgorithm& algorithm,
-                                                     TickOutcome& out) {
-  LastComputation& last = state.last;
+[[gnu::noinline]] inline HeldTick compute_or_hold(const ServoSettings& settings, HeldTick tick,
+                                                  ActiveEstimator& estimator,
+                                                  FollowedAlgorithm& algorithm) {
+  LastComputation& last = tick.state.last;
+  TickOutcome& out = tick.out;
   last.displacement_m += out.displacement_m;
-  if (!last.outdated && settings.skipped.has(state.tick)) {
+  if (!last.outdated && settings.skipped.has(tick.state.tick)) {
     out.velocity_m_per_s = last.velocity_m_per_s;
     out.contact = evaluate_walls(settings.walls, out.position_m, out.velocity_m_per_s);
     out.intervened = last.intervened;
   } else {
-    last.wanted_n = compute_force(settings, state, estimator, algorithm, last.displacement_m, out);
+    last.wanted_n =
+        compute_force(settings, tick.state, estimator, algorithm, last.displacement_m, out);
     last.displacement_m = 0.0;
     last.velocity_m_per_s = out.velocity_m_per_s;
     last.intervened = out.intervened;
   }
   last.outdated = out.stale || out.fault;
-  return last.wanted_n;
+  tick.wanted_n = last.wanted_n;
+  return tick;
 }
 
 // Turns the algorithm's force into out.force_n: blended, armed, limited.
@@ -293,10 +303,17 @@ template <typename Device>
                                                      FollowedAlgorithm& algorithm, Device& device) {
   TickOutcome out;
   detail::take_reading(settings, state, device.read(), out);
-  const double wanted_n =
-      settings.skipped.any()
-          ? detail::compute_or_hold(settings, state, estimator, algorithm, out)
-          : detail::compute_force(settings, state, estimator, algorithm, out.displacement_m, out);
+  double wanted_n = 0.0;
+  if (settings.skipped.any()) [[unlikely]] {
+    const detail::HeldTick tick =
+        detail::compute_or_hold(settings, {state, out}, estimator, algorithm);
+    state = tick.state;
+    out = tick.out;
+    wanted_n = tick.wanted_n;
+  } else {
+    wanted_n =
+        detail::compute_force(settings, state, estimator, algorithm, out.displacement_m, out);
+  }
   detail::make_safe(settings, state, wanted_n, out);
   device.write(out.force_n);
   detail::remember(state, out);
