@@ -60,15 +60,13 @@ struct ServoSettings {
   AlgorithmSettings algorithm;
 
   [[nodiscard]] double period_s() const { return 1.0 / rate_hz; }
-  // Rate of the controller's computations.
   [[nodiscard]] double render_rate_hz() const {
     return rate_hz / static_cast<double>(skipped.render_every);
   }
   friend bool operator==(const ServoSettings&, const ServoSettings&) = default;
 };
 
-// Axis x of a scene. An axis without a force limit gets the largest finite double. Realtime-safe:
-// yes.
+// Axis x of a scene; without a force limit the largest finite double. Realtime-safe: yes.
 [[nodiscard]] ServoSettings servo_settings(const Scene& scene);
 // Points into `settings`, which must outlive it. Realtime-safe: yes.
 [[nodiscard]] AlgorithmContext algorithm_context(const ServoSettings& settings);
@@ -111,8 +109,7 @@ struct ServoState {
   EnergyLedger ledger;
   SwitchTransition transition;
   LastComputation last;  // only of a loop that skips ticks
-  // Share of the force that reaches the device, 0 to 1; less than 1 until the device is fully
-  // armed.
+  // Share of the force that reaches the device, 0 to 1; below 1 until it is fully armed.
   double force_gain = 1.0;
   double previous_gain = 1.0;  // of the previous force
   // Shares until a device has obeyed: of the force limit, and of the force within it, above 0. The
@@ -146,8 +143,7 @@ struct TickOutcome {
 
 namespace detail {
 
-// Limits the rise from the previous force of the same sign, else from zero; the force falls at
-// once. Realtime-safe: yes.
+// Limits the rise from the previous force of the same sign, else from zero. Realtime-safe: yes.
 [[nodiscard]] inline double limit_rise(double force_n, double previous_n, double max_rise_n) {
   const bool same_sign = (force_n > 0.0) == (previous_n > 0.0);
   const double from_n = same_sign ? std::abs(previous_n) : 0.0;
@@ -219,8 +215,7 @@ namespace detail {
   return wanted_n;
 }
 
-// A tick of a loop that skips some, by value: the state of the loop of an ideal one then needs no
-// address.
+// A tick by value, so that the state of an ideal loop needs no address.
 struct HeldTick {
   ServoState state;
   TickOutcome out;

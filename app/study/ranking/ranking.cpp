@@ -214,18 +214,18 @@ Result<Run> plan(const Scene& scene, const Choices& choices) {
 }  // namespace
 
 Outcome outcome_of(const ContactStudyPlan& plan, const std::vector<ContactMetrics>& rows) {
-  const std::optional<std::uint64_t> hands =
-      rows.empty() ? std::nullopt : rows.front().summary.searched_hands;
-  const std::string title = table::hand_column_title(hands.value_or(0));
+  // 0: no search.
+  const std::uint64_t hands = rows.empty() ? 0 : rows.front().summary.searched_hands.value_or(0);
+  const std::string title = table::hand_column_title(hands);
   std::vector<Field<Row>> fields(kFields.begin(), kFields.end());
   std::vector<std::string_view> order(kColumns.begin(), kColumns.end());
-  if (hands) {
+  if (hands > 0) {
     std::ranges::copy(search_fields(title), std::back_inserter(fields));
     order.push_back(title);
   }
   Outcome outcome = study::outcome_of<Row>(fields, conditions(plan), rows, {.order = order});
   outcome.sheet.heading = heading(plan, rows);
-  outcome.sheet.marks = marks(rows) + (hands ? table::hand_column_note(*hands) : "");
+  outcome.sheet.marks = marks(rows) + (hands > 0 ? table::hand_column_note(hands) : "");
   return outcome;
 }
 
