@@ -31,6 +31,8 @@ void write_change(TomlText& out, const Scene& start, const ScheduledChange& chan
       write_numbers(out, axis_key("recording.change.hand", i), *axis.hand);
     }
   }
+  const SamplingSettings sampling = scene.sampling.with_clock_of(start.sampling);
+  if (sampling != start.sampling) write_numbers(out, "recording.change.sampling", sampling);
   if (scene.simulator != start.simulator) write_simulator(out, kChangePrefix, scene.simulator);
   write_algorithm(out, kChangePrefix, scene.algorithm);
   if (scene.estimator != start.estimator) write_estimator(out, kChangePrefix, scene.estimator);

@@ -59,10 +59,23 @@ void read_changed_axes(const TableReader& reader, const toml::table* device,
   }
 }
 
+SamplingSettings read_changed_sampling(const TableReader& parent, const toml::table& table,
+                                       const std::string& prefix, const SamplingSettings& first) {
+  TableReader reader(table, prefix + "sampling.", parent.origin());
+  SamplingSettings sampling;
+  reader.numbers(sampling);
+  reader.finish();
+  if (!sampling.same_clock(first))
+    parent.fail(table, "sampling", "a change leaves rate, jitter and seed as they were");
+  return sampling;
+}
+
 // The plant of a change. A table that is absent keeps the settings of the start.
 void read_changed_plant(TableReader& reader, const std::string& prefix, const std::string& origin,
                         Scene& scene) {
   read_changed_axes(reader, reader.table("device"), reader.table("hand"), prefix, scene);
+  if (const toml::table* sampling = reader.table("sampling"))
+    scene.sampling = read_changed_sampling(reader, *sampling, prefix, scene.sampling);
   if (const toml::table* simulator = reader.table("simulator")) {
     scene.simulator = read_simulator(*simulator, prefix, origin);
   }

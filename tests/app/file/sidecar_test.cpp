@@ -82,8 +82,12 @@ TEST(Sidecar, MoreChangesThanAreWrittenAreRefused) {
 }
 
 TEST(Sidecar, ChangesOfThePlantReadBackTheSame) {
-  const Scene start = scene_with_everything();
+  Scene start = scene_with_everything();
+  start.sampling.jitter = 0.25;
+  start.sampling.lost_ticks = 0.1;
   Scene device = start;
+  device.sampling.lost_ticks.reset();
+  device.sampling.render_every = 3;
   device.x().device.mass_kg = 0.1 + 0.2;
   device.x().device.friction_n.reset();
   device.x().device.delay_ticks = 7;
@@ -101,6 +105,7 @@ TEST(Sidecar, ChangesOfThePlantReadBackTheSame) {
     EXPECT_EQ(read[i].tick, changes[i].tick);
     EXPECT_EQ(read[i].scene.x().device, changes[i].scene.x().device) << i;
     EXPECT_EQ(read[i].scene.x().hand, changes[i].scene.x().hand) << i;
+    EXPECT_EQ(read[i].scene.sampling, changes[i].scene.sampling) << i;
     EXPECT_EQ(read[i].scene.simulator, changes[i].scene.simulator) << i;
     EXPECT_EQ(read[i].scene.algorithm, changes[i].scene.algorithm) << i;
   }
