@@ -1,9 +1,10 @@
-// Descriptions of the keys in a scene's tables [algorithm] and [estimator].
+// Descriptions of the keys in a scene's tables [environment], [algorithm] and [estimator].
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -44,6 +45,24 @@ struct ParameterDescription {
   return {key, ParameterKind::kChoice, "", 0.0, last, choices, choices.front(), meaning};
 }
 
+// A number that an algorithm or an environment shows of itself, one column of a recording. Several
+// may share it.
+struct SignalDescription {
+  std::string_view name;  // ends with its unit: "bound_n"
+  std::string_view meaning;
+};
+
+// The value of a key, or nullopt: it is not set, or not in the table. `values` are in the order of
+// `parameters`. Realtime-safe: yes.
+[[nodiscard]] constexpr std::optional<double> find_value(
+    std::span<const ParameterDescription> parameters, std::span<const std::optional<double>> values,
+    std::string_view key) {
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    if (parameters[i].key == key) return values[i];
+  }
+  return std::nullopt;
+}
+
 // A union of descriptions, each name once, in the order of their first appearance. Menus, files and
 // columns show this order.
 template <class Description, std::size_t kMax>
@@ -62,5 +81,19 @@ struct DescriptionUnion {
     }
   }
 };
+
+// The unions of a list whose members have a description, behind the members of `all`.
+template <std::size_t kMax, class List>
+[[nodiscard]] constexpr auto unite_parameters(
+    const List& list, DescriptionUnion<ParameterDescription, kMax> all = {}) {
+  for (const auto& one : list) all.add(one.description.parameters, &ParameterDescription::key);
+  return all;
+}
+template <std::size_t kMax, class List>
+[[nodiscard]] constexpr auto unite_signals(const List& list) {
+  DescriptionUnion<SignalDescription, kMax> all;
+  for (const auto& one : list) all.add(one.description.signals, &SignalDescription::name);
+  return all;
+}
 
 }  // namespace hapticwall

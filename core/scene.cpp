@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "core/algorithm/algorithm.h"
+#include "core/environment/environment.h"
 #include "core/estimator/estimator.h"
 #include "core/scene_keys.h"
 
@@ -157,7 +158,7 @@ std::string choice_text(const ParameterDescription& parameter) {
   return text;
 }
 
-// `prefix`: "algorithm." or "estimator.".
+// `prefix`: "environment.", "algorithm." or "estimator.".
 Problem check_parameters(std::string_view prefix, std::span<const ParameterDescription> parameters,
                          std::span<const std::optional<double>> values) {
   for (std::size_t i = 0; i < parameters.size(); ++i) {
@@ -198,6 +199,45 @@ Problem check_estimator(const EstimatorSettings& settings) {
   return check_parameters("estimator.", estimator_parameters(), settings.values);
 }
 
+Problem check_walls_of(const Scene& scene) {
+  if (scene.environment.is_walls()) return std::nullopt;
+  for (const AxisSettings& axis : scene.axes) {
+    if (axis.walls.empty()) continue;
+    const EnvironmentDescription& taken = environments()[scene.environment.index].description;
+    return SceneProblem{"wall", "the environment " + std::string(taken.name) +
+                                    " takes the place of the walls: the scene takes none"};
+  }
+  return std::nullopt;
+}
+
+// The algorithm takes the environment for a spring.
+Problem check_stiffness(const Scene& scene) {
+  const Environment& environment = environments()[scene.environment.index];
+  const AlgorithmDescription& algorithm = algorithms()[scene.algorithm.index];
+  if (!algorithm.needs_stiffness || environment.has_stiffness_hint) return std::nullopt;
+  return SceneProblem{"algorithm.name", std::string(algorithm.name) +
+                                            " needs the stiffness of what is touched, and the "
+                                            "environment " +
+                                            std::string(environment.description.name) +
+                                            " tells none: choose another algorithm"};
+}
+
+Problem check_environment(const Scene& scene) {
+  const EnvironmentSettings& settings = scene.environment;
+  if (settings.index >= environments().size()) {
+    return SceneProblem{"environment.name", "there is no such environment"};
+  }
+  if (auto problem = check_parameters("environment.", environment_parameters(), settings.values))
+    return problem;
+  const EnvironmentContext context{1.0 / scene.sampling.render_rate_hz(), &settings};
+  for (const Environment& environment : environments()) {
+    if (environment.problem == nullptr) continue;
+    if (auto problem = environment.problem(context)) return problem;
+  }
+  if (auto problem = check_walls_of(scene)) return problem;
+  return check_stiffness(scene);
+}
+
 Problem check_simulator(const Scene& scene) {
   const SimulatorSettings& simulator = scene.simulator;
   const std::string key = "simulator.substeps";
@@ -230,6 +270,10 @@ bool same_plant(const Scene& a, const Scene& b) {
   return a.x().device == b.x().device && a.x().hand == b.x().hand && a.simulator == b.simulator;
 }
 
+bool couples_axes(const Scene& scene) {
+  return scene.two_axes() && (!scene.environment.is_walls() || reads_other_axis(scene.algorithm));
+}
+
 Scene axis_scene(const Scene& scene, std::size_t index) {
   Scene axis = scene;
   axis.axes = {scene.axes[index]};
@@ -259,6 +303,7 @@ Problem validate(const Scene& scene) {
     if (auto problem = check_algorithm(scene, axis)) return problem;
   }
   if (auto problem = check_estimator(scene.estimator)) return problem;
+  if (auto problem = check_environment(scene)) return problem;
   return check_simulator(scene);
 }
 

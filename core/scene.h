@@ -1,6 +1,6 @@
-// A scene: device, hand and walls of each axis, one algorithm and one velocity estimator. Plain
-// values in SI units. scene_keys.h has the range of every number; validate() also finds
-// contradictions between them.
+// A scene: device, hand and walls of each axis, or another environment in the place of the walls;
+// one algorithm and one velocity estimator. Plain values in SI units. scene_keys.h has the range of
+// every number; validate() also finds contradictions between them.
 #pragma once
 
 #include <array>
@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "core/algorithm_settings.h"
+#include "core/environment_settings.h"
 #include "core/estimator_settings.h"
 #include "core/sample.h"
 
@@ -226,6 +227,8 @@ struct Scene {
   double duration_s = 6.0;
   SamplingSettings sampling;
   std::vector<AxisSettings> axes = std::vector<AxisSettings>(1);  // x, or x and y
+  // Of all axes. Another one than the walls takes their place: the axes then have none.
+  EnvironmentSettings environment;
   AlgorithmSettings algorithm;
   EstimatorSettings estimator;
   SimulatorSettings simulator;
@@ -247,6 +250,10 @@ struct ScheduledChange {
   std::uint64_t tick = 0;
   Scene scene;
 };
+
+// True if the axes need each other at every tick: an environment that both share, or an algorithm
+// that acts on both. Realtime-safe: yes.
+[[nodiscard]] bool couples_axes(const Scene& scene);
 
 // One axis as a scene by itself. Precondition: index < scene.axes.size(). Realtime-safe: no.
 [[nodiscard]] Scene axis_scene(const Scene& scene, std::size_t index);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/algorithm/algorithm.h"
+#include "core/environment/environment.h"
 #include "core/estimator/estimator.h"
 
 namespace hapticwall {
@@ -111,6 +112,24 @@ std::vector<ParameterNumberKey> number_keys_from(std::size_t first,
   return keys;
 }
 
+// The number keys of a table to which plug-ins append, before other threads start.
+class GrowingKeys {
+ public:
+  explicit GrowingKeys(std::span<const ParameterDescription> parameters)
+      : keys_(number_keys_from(0, parameters)), known_(parameters.size()) {}
+
+  std::span<const ParameterNumberKey> of(std::span<const ParameterDescription> parameters) {
+    if (parameters.size() == known_) return keys_;
+    for (const ParameterNumberKey& key : number_keys_from(known_, parameters)) keys_.push_back(key);
+    known_ = parameters.size();
+    return keys_;
+  }
+
+ private:
+  std::vector<ParameterNumberKey> keys_;
+  std::size_t known_;
+};
+
 }  // namespace
 
 template <typename Owner>
@@ -123,16 +142,14 @@ template std::span<const NumberKey<DeviceSettings>> number_keys();
 template std::span<const NumberKey<HandSettings>> number_keys();
 template std::span<const NumberKey<WallSettings>> number_keys();
 
+std::span<const ParameterNumberKey> environment_number_keys() {
+  static GrowingKeys keys(environment_parameters());
+  return keys.of(environment_parameters());
+}
+
 std::span<const ParameterNumberKey> algorithm_number_keys() {
-  static std::vector<ParameterNumberKey> keys = number_keys_from(0, algorithm_parameters());
-  // A plug-in appended keys, before other threads started.
-  static std::size_t known = algorithm_parameters().size();
-  if (algorithm_parameters().size() != known) {
-    for (const ParameterNumberKey& key : number_keys_from(known, algorithm_parameters()))
-      keys.push_back(key);
-    known = algorithm_parameters().size();
-  }
-  return keys;
+  static GrowingKeys keys(algorithm_parameters());
+  return keys.of(algorithm_parameters());
 }
 
 std::span<const ParameterNumberKey> estimator_number_keys() {

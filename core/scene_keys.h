@@ -71,9 +71,10 @@ struct NumberKey {
 template <typename Owner>
 [[nodiscard]] std::span<const NumberKey<Owner>> number_keys();
 
-// A number of [algorithm] or [estimator], with the members of NumberKey.
+// A number of [environment], [algorithm] or [estimator], with the members of NumberKey.
 struct ParameterNumberKey {
-  std::size_t index = 0;  // in algorithm_parameters() or estimator_parameters()
+  std::size_t index =
+      0;  // in environment_parameters(), algorithm_parameters() or estimator_parameters()
   std::string_view key;
   std::string_view unit;
   ValueRange range;
@@ -90,6 +91,7 @@ struct ParameterNumberKey {
 };
 // Switches and choices are left out. A plug-in that is loaded later appends its keys, which ends
 // the life of earlier spans.
+[[nodiscard]] std::span<const ParameterNumberKey> environment_number_keys();
 [[nodiscard]] std::span<const ParameterNumberKey> algorithm_number_keys();
 [[nodiscard]] std::span<const ParameterNumberKey> estimator_number_keys();
 
@@ -110,7 +112,7 @@ struct NumberPath {
 };
 
 // Calls visit(path, key, owner) for every number of the first `axes` axes, of the loop and of all
-// algorithms and estimators, in the order of a scene file. `key` is a NumberKey or
+// environments, algorithms and estimators, in the order of a scene file. `key` is a NumberKey or
 // ParameterNumberKey of `owner`.
 template <typename AnyScene, typename Visit>
 void visit_scene_numbers(AnyScene& scene, const Visit& visit, std::size_t axes = kMaxAxes) {
@@ -135,12 +137,13 @@ void visit_scene_numbers(AnyScene& scene, const Visit& visit, std::size_t axes =
   for (auto& axis : visited) {
     for (auto& wall : axis.walls) visit_table(wall_key(index++, walls) + ".", wall);
   }
+  visit_keys("environment.", environment_number_keys(), scene.environment);
   visit_keys("algorithm.", algorithm_number_keys(), scene.algorithm);
   visit_keys("estimator.", estimator_number_keys(), scene.estimator);
 }
 
-// A number of axis x, of the loop, an algorithm or an estimator by its path: what maps and studies
-// vary.
+// A number of axis x, of the loop, an environment, an algorithm or an estimator by its path: what
+// maps and studies vary.
 struct SceneNumber {
   std::string path;  // "wall.stiffness_n_per_m"
   std::string unit;  // "" for a pure number

@@ -24,6 +24,7 @@
 #include "app/session/loop/spinning_clock.h"
 #include "core/algorithm/algorithm.h"
 #include "core/algorithm/plugin/plugin_list.h"
+#include "core/environment/environment.h"
 #include "core/scene_keys.h"
 #include "core/units.h"
 
@@ -103,6 +104,8 @@ void add_scene_options(CLI::App& app, SceneOptions& options) {
                  "A key of the scene, e.g. hand.mass_kg=0.3 (repeatable)")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
+  // After --set, whose parsing replaces all settings.
+  add_environment_option(app, options);
 }
 
 void add_simulator_option(CLI::App& app, SceneOptions& options) {
@@ -139,34 +142,6 @@ Result<double> spin_seconds(double spin_us) {
   if (spin_s >= 0.0 && spin_s <= session::kMaxSpinS) return spin_s;
   return usage_error(fmt::format("--spin {:g}: it takes 0 to {:g} us", spin_us,
                                  session::kMaxSpinS * kMicrosecondsPerSecond));
-}
-
-CLI::Validator loads_plugin() {
-  return CLI::Validator(
-      [](std::string& text) -> std::string {
-        if (!file::names_plugin(text)) return "";
-        const Result<std::size_t> index = file::load_plugin(text);
-        if (!index) return index.error().message;
-        text = algorithms()[*index].name;
-        return "";
-      },
-      "");
-}
-
-void add_algorithm_option(CLI::App& app, SceneOptions& options) {
-  app.add_option("--algorithm", options.algorithm,
-                 "Stabilising algorithm, instead of the scene's; or a plug-in, ./MINE.so")
-      ->type_name("NAME")
-      ->transform(loads_plugin());
-}
-
-Failure check_plugin(const SceneOptions& options) {
-  const bool any = algorithms().size() != first_plugin() || names_device_plugin(options.device);
-  if (options.allow_plugin || options.device == kSimulator || !any) return {};
-  return usage_error(
-      fmt::format("--device {}: a plug-in drives a device only with --allow-plugin; try it on the "
-                  "simulator first",
-                  file::in_quotes(options.device)));
 }
 
 void add_headless_options(CLI::App& app, SceneOptions& options) {

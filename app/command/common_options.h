@@ -30,7 +30,7 @@ struct SceneOptions {
   double spin_us = 0.0;
 };
 
-// --set.
+// --set and --environment.
 void add_scene_options(CLI::App& app, SceneOptions& options);
 // --device, of commands that run on the simulator only.
 void add_simulator_option(CLI::App& app, SceneOptions& options);
@@ -42,6 +42,8 @@ void add_spin_option(CLI::App& app, double& spin_us);
 // Validator of an option that takes algorithms: loads a plug-in and replaces its path by its name.
 [[nodiscard]] CLI::Validator loads_plugin();
 void add_algorithm_option(CLI::App& app, SceneOptions& options);
+// --environment, which comes before all settings.
+void add_environment_option(CLI::App& app, SceneOptions& options);
 // Refuses a plug-in on a device without --allow-plugin.
 [[nodiscard]] Failure check_plugin(const SceneOptions& options);
 // The required SCENE of a command, and --duration.

@@ -20,6 +20,7 @@
 #include "app/study/studies.h"
 #include "core/algorithm/algorithm.h"
 #include "core/algorithm/plugin/plugin_list.h"
+#include "core/environment/plugin/plugin_environment.h"
 #include "core/result.h"
 #include "device/port/plugin_port.h"
 #include "hapticwall_version.h"
@@ -121,6 +122,14 @@ Result<int> after(const Action& action) {
     tell(fmt::format("note: {}: the plug-in {} {}, and its force was zero from then on",
                      file::shown(file::plugin_file(i)->path), algorithms()[i].name,
                      library_fault_text(fault)));
+  }
+  for (std::size_t i = 0; i < environments().size(); ++i) {
+    const LibraryFault fault = environment_fault(i);
+    if (fault == LibraryFault::kNone) continue;
+    const file::PluginFile* const plugin = file::environment_file(i);
+    tell(fmt::format("note: {}: the environment {} {}, and the force was zero from then on",
+                     plugin != nullptr ? file::shown(plugin->path) : "",
+                     environments()[i].description.name, library_fault_text(fault)));
   }
   const std::string device_fault = device::device_plugin_fault();
   if (!device_fault.empty()) tell("note: the device plug-in: " + device_fault);

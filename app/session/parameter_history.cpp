@@ -8,6 +8,7 @@ namespace hapticwall::session {
 
 ParameterHistory::Adjustment::Adjustment(const Scene& scene)
     : axes(without_paths(scene).axes),
+      environment(scene.environment),
       algorithm(scene.algorithm),
       estimator(scene.estimator),
       simulator(scene.simulator) {}
@@ -56,6 +57,7 @@ Scene ParameterHistory::scene_with(Scene scene, const Adjustment& adjustment) {
     if (axis.hand) axis.hand->path = std::move(scene.axes[i].hand->path);
     scene.axes[i] = std::move(axis);
   }
+  scene.environment = adjustment.environment;
   scene.algorithm = adjustment.algorithm;
   scene.estimator = adjustment.estimator;
   scene.simulator = adjustment.simulator;

@@ -51,6 +51,7 @@ class ParameterHistory {
     explicit Adjustment(const Scene& scene);
 
     std::vector<AxisSettings> axes;  // without the paths of their hands
+    EnvironmentSettings environment;
     AlgorithmSettings algorithm;
     EstimatorSettings estimator;
     SimulatorSettings simulator;

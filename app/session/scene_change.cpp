@@ -8,7 +8,7 @@ namespace hapticwall::session {
 
 bool same_parameters(const Scene& a, const Scene& b) {
   return a.sampling == b.sampling && a.axes == b.axes && a.algorithm == b.algorithm &&
-         a.estimator == b.estimator && a.simulator == b.simulator;
+         a.environment == b.environment && a.estimator == b.estimator && a.simulator == b.simulator;
 }
 
 namespace {

@@ -1,5 +1,6 @@
-// Changes of a scene during a session: device, hand, walls, algorithm, estimator, skipped ticks and
-// simulator. Rate, jitter, seed, hand path, presence of a hand and start need a new session.
+// Changes of a scene during a session: device, hand, walls, environment, algorithm, estimator,
+// skipped ticks and simulator. Rate, jitter, seed, hand path, presence of a hand and start need a
+// new session.
 #pragma once
 
 #include <optional>

@@ -21,6 +21,8 @@
 
 namespace hapticwall {
 
+class ActiveEnvironment;  // core/environment/active_environment.h
+
 // The part of a scene that an algorithm may use.
 struct AlgorithmContext {
   double period_s = 1e-3;
@@ -37,6 +39,15 @@ struct AlgorithmContext {
   }
 };
 
+// The other axis of a scene at tick k, for an algorithm that acts on both.
+struct OtherAxis {
+  double wall_force_n = 0.0;
+  double previous_force_n = 0.0;
+  double displacement_m = 0.0;
+  double velocity_m_per_s = 0.0;
+  double damping_n_s_per_m = 0.0;  // b as the algorithm believes it
+};
+
 // The input of an algorithm at tick k; signs as in docs/physics.md (x grows into the wall, F_d > 0
 // pushes out of it).
 struct AlgorithmInput {
@@ -47,12 +58,12 @@ struct AlgorithmInput {
   double penetration_m = 0.0;     // into the outermost wall; negative in front of it
   double previous_force_n = 0.0;  // F_d(k-1) as really commanded, after the clamp
   bool in_contact = false;
-};
-
-// A number that an algorithm shows of itself, one column of a recording. Algorithms may share it.
-struct SignalDescription {
-  std::string_view name;  // ends with its unit: "bound_n"
-  std::string_view meaning;
+  // The environment whose force wall_force_n is, for questions about other places; nullptr: the
+  // walls of the context. It lives during the call.
+  const ActiveEnvironment* environment = nullptr;
+  // nullptr: there is none, or the scene does not need it (ServoSettings::both_axes). It lives
+  // during the call.
+  const OtherAxis* other = nullptr;
 };
 
 struct AlgorithmDescription {
@@ -67,6 +78,9 @@ struct AlgorithmDescription {
   std::optional<SceneProblem> (*problem)(const AlgorithmContext& context) = nullptr;
   std::string_view old_name = {};   // read like the name, never written; empty: none
   std::string_view forms_key = {};  // a comparison shows each choice of this key; empty: none
+  // True if these settings need the other axis of the scene; nullptr: never.
+  bool (*reads_other_axis)(const AlgorithmContext& context) = nullptr;
+  bool needs_stiffness = false;  // it takes the environment for a spring: see stiffness_hint()
 };
 
 // The device's damping as the user states it; several algorithms share this key.
@@ -99,8 +113,8 @@ std::size_t add_algorithm(const AlgorithmDescription& algorithm);
 // Union of all algorithms' keys, each once; AlgorithmSettings::values has this order.
 [[nodiscard]] std::span<const ParameterDescription> algorithm_parameters();
 [[nodiscard]] std::optional<std::size_t> find_algorithm_parameter(std::string_view key);
-// Union of all algorithms' signals, each once; Sample::signals has this order. Realtime-safe: yes,
-// both.
+// Union of the signals of all algorithms and environments, each once; Sample::signals has this
+// order. Realtime-safe: yes, both.
 [[nodiscard]] std::span<const SignalDescription> algorithm_signals();
 [[nodiscard]] std::optional<std::size_t> find_algorithm_signal(std::string_view name);
 // Names by place in Sample::signals; empty: no such signal.
@@ -120,6 +134,8 @@ struct ComparedAlgorithm {
     AlgorithmSettings settings, std::span<const std::size_t> indices);
 // True if the algorithm of these settings or its follower reads the key. Realtime-safe: yes.
 [[nodiscard]] bool reads(const AlgorithmSettings& settings, std::string_view key);
+// True if the algorithm needs the other axis of the scene under these settings. Realtime-safe: yes.
+[[nodiscard]] bool reads_other_axis(const AlgorithmSettings& settings);
 // A value as a scene file shows it: "true", "held-force", "0.01". Realtime-safe: no.
 [[nodiscard]] std::string value_text(const ParameterDescription& parameter, double value);
 

@@ -16,6 +16,7 @@
 #include "core/algorithm/passivity_control.h"
 #include "core/algorithm/plugin/plugin_list.h"
 #include "core/algorithm/virtual_coupling.h"
+#include "core/environment/environment.h"
 #include "core/scene_keys.h"
 
 namespace hapticwall {
@@ -41,22 +42,19 @@ constexpr Algorithm kPluginAlgorithm{
       return static_cast<PluginAlgorithm*>(state)->step(in, signals);
     }};
 
-constexpr auto unite_parameters() {
+constexpr auto with_then() {
   DescriptionUnion<ParameterDescription, kMaxAlgorithmParameters> all;
   all.add(std::span(&kThenParameter, 1), &ParameterDescription::key);
-  for (const Algorithm& algorithm : kAlgorithms)
-    all.add(algorithm.description.parameters, &ParameterDescription::key);
   return all;
 }
-constexpr auto kParameterUnion = unite_parameters();
+constexpr auto kParameterUnion = unite_parameters(kAlgorithms, with_then());
+constexpr auto kSignalUnion = unite_signals<kMaxSignals>(kAlgorithms);
 
-constexpr auto unite_signals() {
-  DescriptionUnion<SignalDescription, kMaxSignals> all;
-  for (const Algorithm& algorithm : kAlgorithms)
-    all.add(algorithm.description.signals, &SignalDescription::name);
-  return all;
+std::vector<SignalDescription> all_signals() {
+  DescriptionUnion<SignalDescription, kMaxSignals> all = kSignalUnion;
+  all.add(environment_signals(), &SignalDescription::name);
+  return {all.in_use().begin(), all.in_use().end()};
 }
-constexpr auto kSignalUnion = unite_signals();
 
 std::vector<AlgorithmDescription> built_in() {
   std::vector<AlgorithmDescription> all;
@@ -70,8 +68,7 @@ struct AlgorithmList {
   std::vector<AlgorithmDescription> algorithms = built_in();
   std::vector<ParameterDescription> parameters{kParameterUnion.in_use().begin(),
                                                kParameterUnion.in_use().end()};
-  std::vector<SignalDescription> signals{kSignalUnion.in_use().begin(),
-                                         kSignalUnion.in_use().end()};
+  std::vector<SignalDescription> signals = all_signals();
 };
 
 AlgorithmList& algorithm_list() {
@@ -133,9 +130,8 @@ SignalNames signal_names() {
 }
 
 std::optional<double> AlgorithmContext::value(std::string_view key) const {
-  const std::optional<std::size_t> index = find_algorithm_parameter(key);
-  if (settings == nullptr || !index) return std::nullopt;
-  return settings->values[*index];
+  if (settings == nullptr) return std::nullopt;
+  return find_value(algorithm_parameters(), settings->values, key);
 }
 
 double believed_damping(const AlgorithmContext& context) {
@@ -217,6 +213,13 @@ bool reads(const AlgorithmSettings& settings, std::string_view key) {
   };
   return key == kThenParameter.key || has_key(algorithms()[settings.index]) ||
          (has_follower(settings) && has_key(algorithms()[follower_index()]));
+}
+
+bool reads_other_axis(const AlgorithmSettings& settings) {
+  const AlgorithmDescription& algorithm = algorithms()[settings.index];
+  AlgorithmContext context;
+  context.settings = &settings;
+  return algorithm.reads_other_axis != nullptr && algorithm.reads_other_axis(context);
 }
 
 std::string value_text(const ParameterDescription& parameter, double value) {

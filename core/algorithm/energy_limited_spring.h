@@ -2,8 +2,10 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/algorithm/algorithm.h"
+#include "core/environment/active_environment.h"
 
 namespace hapticwall {
 
@@ -42,7 +44,10 @@ struct EnergyLimitedSpring {
       "F_d(k) = min(F_e, max((2b/T) p, √(2 K max(H, 0))))",
       kSignals,
       nullptr,
-      "energy-bookkeeping"};
+      "energy-bookkeeping",
+      "",
+      nullptr,
+      true};
 
   void configure(const AlgorithmContext& context) {
     passive_n_per_m_ = 2.0 * believed_damping(context) / context.period_s;
@@ -52,6 +57,7 @@ struct EnergyLimitedSpring {
 
   double step(const AlgorithmInput& in, std::span<double> signals) {
     energy_j_ = in.in_contact ? energy_j_ + in.previous_force_n * in.displacement_m : 0.0;
+    if (in.environment != nullptr) return force_of_environment(*in.environment, in, signals);
     const double spring_n = spring_force(walls_, std::max(energy_j_, 0.0));
     const double bound_n = std::max(passive_n_per_m_ * in.penetration_m, spring_n);
     signals[0] = energy_j_;
@@ -60,6 +66,20 @@ struct EnergyLimitedSpring {
   }
 
  private:
+  // The environment counts as a spring of its stiffness hint K: p = |F_e|/K, in either direction.
+  [[nodiscard]] double force_of_environment(const ActiveEnvironment& environment,
+                                            const AlgorithmInput& in,
+                                            std::span<double> signals) const {
+    const double stiffness_n_per_m = environment.stiffness_hint();
+    if (!(stiffness_n_per_m > 0.0)) return 0.0 * stiffness_n_per_m;  // NaN if it is unknown
+    const double wanted_n = std::abs(in.wall_force_n);
+    const double spring_n = std::sqrt(2.0 * stiffness_n_per_m * std::max(energy_j_, 0.0));
+    const double bound_n = std::max(passive_n_per_m_ * (wanted_n / stiffness_n_per_m), spring_n);
+    signals[0] = energy_j_;
+    signals[1] = bound_n;
+    return std::copysign(std::min(wanted_n, bound_n), in.wall_force_n);
+  }
+
   double passive_n_per_m_ = 0.0;  // 2b/T
   double energy_j_ = 0.0;         // H
   WallSet walls_;

@@ -47,7 +47,7 @@ struct ForceBounding {
     const double bound_n = std::sqrt(4.0 * damping_n_per_m_ * std::max(energy_j_, 0.0));
     signals[0] = energy_j_;
     signals[1] = bound_n;
-    return std::min(in.wall_force_n, bound_n);  // F_e ≥ 0: a wall never pulls
+    return std::copysign(std::min(std::abs(in.wall_force_n), bound_n), in.wall_force_n);
   }
 
  private:

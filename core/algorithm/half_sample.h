@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/algorithm/algorithm.h"
+#include "core/environment/active_environment.h"
 
 namespace hapticwall {
 
@@ -25,17 +26,31 @@ struct HalfSample {
       "F_d(k) = K (p + v T/2) + B v  where p + v T/2 > 0, else 0; never negative",
       kSignals};
 
-  void configure(const AlgorithmContext& context) { walls_ = context.walls; }
+  void configure(const AlgorithmContext& context) {
+    period_s_ = context.period_s;
+    walls_ = context.walls;
+  }
   void reset() {}
 
   double step(const AlgorithmInput& in, std::span<double> signals) {
     // Δx/2 in place of v T/2 saves the rounding of a quotient and a product.
     const double ahead_m = 0.5 * in.displacement_m;
     signals[0] = in.penetration_m + ahead_m;
+    if (in.environment != nullptr) return force_of_environment(*in.environment, in, ahead_m);
     return evaluate_walls(walls_, in.position_m + ahead_m, in.velocity_m_per_s).force_n;
   }
 
  private:
+  // Both axes move on by half a tick: the motion of the other one is its velocity times T/2.
+  [[nodiscard]] double force_of_environment(const ActiveEnvironment& environment,
+                                            const AlgorithmInput& in, double ahead_m) const {
+    EnvironmentMotion motion = environment.motion();
+    motion.position_m = in.position_m + ahead_m;
+    motion.other_position_m += 0.5 * period_s_ * motion.other_velocity_m_per_s;
+    return environment.contact_at(motion).force_n;
+  }
+
+  double period_s_ = 0.0;
   WallSet walls_;
 };
 

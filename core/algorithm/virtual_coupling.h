@@ -2,9 +2,11 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "core/algorithm/algorithm.h"
+#include "core/environment/active_environment.h"
 #include "core/scene_keys.h"
 
 namespace hapticwall {
@@ -55,7 +57,11 @@ struct VirtualCoupling {
       kParameters,
       "F_d = p K K_c/(K + K_c);  K_c = 2(b - B_c)/T, shared by the contacts",
       kSignals,
-      problem};
+      problem,
+      "",
+      "",
+      nullptr,
+      true};
 
   void configure(const AlgorithmContext& context) {
     spring_n_per_m_ = coupling_stiffness(context);
@@ -66,6 +72,7 @@ struct VirtualCoupling {
   void reset() { proxies_m_ = {}; }
 
   double step(const AlgorithmInput& in, std::span<double> signals) {
+    if (in.environment != nullptr) return force_of_environment(*in.environment, in, signals);
     // Each contact's part of the coupling. In front of all walls it is not used.
     const double share = walls_.count() > 1 ? 1.0 / walls_.contacts(in.position_m) : 1.0;
     double force_n = 0.0;
@@ -76,6 +83,24 @@ struct VirtualCoupling {
   }
 
  private:
+  // The environment counts as a spring of its stiffness hint K without a damper, whose depth p is
+  // F_e/K. Coupling and spring share that depth, and the force keeps the sign of F_e.
+  [[nodiscard]] double force_of_environment(const ActiveEnvironment& environment,
+                                            const AlgorithmInput& in, std::span<double> signals) {
+    const double stiffness_n_per_m = environment.stiffness_hint();
+    const double before_m = std::exchange(proxies_m_[0], 0.0);
+    // NaN if it is unknown.
+    if (!in.in_contact || !(stiffness_n_per_m > 0.0)) return 0.0 * stiffness_n_per_m;
+    const double sign = std::copysign(1.0, in.wall_force_n);
+    const double depth_m = std::abs(in.wall_force_n) / stiffness_n_per_m;
+    const double rate = damper_n_s_per_m_ / period_s_;
+    const double pushed_n = spring_n_per_m_ * depth_m +
+                            sign * (damper_n_s_per_m_ * in.velocity_m_per_s + rate * before_m);
+    const double proxy_m = std::max(0.0, pushed_n / (stiffness_n_per_m + spring_n_per_m_ + rate));
+    proxies_m_[0] = signals[0] = sign * proxy_m;
+    return sign * stiffness_n_per_m * proxy_m;
+  }
+
   // Force of one wall; also moves the wall's proxy. Both are 0 out of contact.
   [[nodiscard]] double force_of_wall(double share, const WallSettings& wall, double& proxy_m,
                                      const AlgorithmInput& in) const {

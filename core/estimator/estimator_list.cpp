@@ -24,13 +24,7 @@ constexpr std::array kEstimators{
     estimator_of<Kalman>(),
 };
 
-constexpr auto unite_parameters() {
-  DescriptionUnion<ParameterDescription, kMaxEstimatorParameters> all;
-  for (const Estimator& estimator : kEstimators)
-    all.add(estimator.description.parameters, &ParameterDescription::key);
-  return all;
-}
-constexpr auto kEstimatorParameters = unite_parameters();
+constexpr auto kEstimatorParameters = unite_parameters<kMaxEstimatorParameters>(kEstimators);
 
 }  // namespace
 
@@ -59,10 +53,8 @@ std::optional<VelocityTransfer> velocity_transfer(const EstimatorContext& contex
 }
 
 std::optional<double> EstimatorContext::value(std::string_view key) const {
-  const std::span<const ParameterDescription> all = estimator_parameters();
-  const auto found = std::ranges::find(all, key, &ParameterDescription::key);
-  if (settings == nullptr || found == all.end()) return std::nullopt;
-  return settings->values[static_cast<std::size_t>(std::distance(all.begin(), found))];
+  if (settings == nullptr) return std::nullopt;
+  return find_value(estimator_parameters(), settings->values, key);
 }
 
 }  // namespace hapticwall

@@ -99,6 +99,10 @@ bool PlantModel::has_diverged() const {
   return std::visit([](const auto& plant) { return !plant.in_reach(plant.motion()); }, plant_);
 }
 
+bool PlantModel::gave_up() const {
+  return std::visit([](const auto& plant) { return plant.gave_up(); }, plant_);
+}
+
 void PlantModel::advance(double force_n) {
   const double passed_n = output_.pass(force_n);
   std::visit(

@@ -65,6 +65,8 @@ class PlantModel {
 
   // True if a run ends as diverged.
   [[nodiscard]] bool has_diverged() const;
+  // True if a tick was too much work for the exact integrator: the motion stands still since.
+  [[nodiscard]] bool gave_up() const;
 
   // Advances to the next tick under a held command (newtons, finite).
   void advance(double force_n);

@@ -129,8 +129,7 @@ class HeadlessDevice {
 template <typename Plant>
 HAPTICWALL_ONE_FUNCTION void run_loop(HeadlessRun& run, Plant& plant, std::uint64_t end) {
   const ServoSettings settings = run.servo.settings();
-  ActiveEstimator& estimator = run.servo.estimator();
-  FollowedAlgorithm& algorithm = run.servo.algorithm();
+  TickParts& parts = run.servo.parts();
   ServoState state = run.servo.state();
   TickMetrics metrics = run.metrics;
   HeadlessDevice<Plant> device(plant, run.output, run.variation, settings.encoder_m, state.tick);
@@ -142,14 +141,14 @@ HAPTICWALL_ONE_FUNCTION void run_loop(HeadlessRun& run, Plant& plant, std::uint6
       diverged_at_tick = state.tick;
       break;
     }
-    const TickOutcome outcome = servo_step(settings, state, estimator, algorithm, device);
+    const TickOutcome outcome = servo_step(settings, state, parts, device);
     if (state.failed) [[unlikely]] {
       diverged_at_tick = outcome.tick;
       break;
     }
     if (run.on_sample) {
       write_sample(settings, state.ledger, outcome, sample);
-      if (run.shows_signals) algorithm.show(sample.signals);
+      if (run.shows_signals) parts.show(sample.signals);
       device.write_truth(sample.truth);
       run.on_sample(sample);
     }

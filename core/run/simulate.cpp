@@ -5,6 +5,7 @@
 #include <deque>
 #include <stdexcept>
 
+#include "core/run/measured_axes.h"
 #include "core/run/simulation.h"
 
 namespace hapticwall {
@@ -71,6 +72,38 @@ void hand_out(std::deque<WaitingAxis>& axes, const AxesOptions& options) {
   }
 }
 
+// simulate_axes() for axes that need each other at every tick.
+AxesResult simulate_together(const Scene& scene, const AxesOptions& options) {
+  MeasuredAxes axes(scene);
+  AxesResult result;
+  std::size_t next_change = 0;
+  Tick tick;
+  tick.count = static_cast<std::uint8_t>(axes.count());
+  for (std::uint64_t at = 0; at < scene.tick_count(); ++at) {
+    if (at % kChunkTicks == 0 && options.should_stop && options.should_stop()) {
+      result.stopped_early = true;
+      break;
+    }
+    for (; next_change < options.changes.size() && options.changes[next_change].tick <= at;
+         ++next_change) {
+      axes.change(options.changes[next_change].scene);
+    }
+    if (!axes.pass_tick()) break;
+    axes.check_work();
+    for (std::size_t i = 0; i < axes.count(); ++i) tick.axes.at(i) = axes.sample(i);
+    if (options.on_tick) options.on_tick(tick);
+  }
+  for (std::size_t i = 0; i < axes.count(); ++i) {
+    SimulationResult& one = result.axes.emplace_back();
+    one.summary = axes.summary(i);
+    one.stopped_early = result.stopped_early;
+    one.final_state.tick = axes.tick();
+    one.final_state.time_s = static_cast<double>(axes.tick()) / scene.sampling.rate_hz;
+    one.final_state.truth = axes.plant(i).truth();
+  }
+  return result;
+}
+
 }  // namespace
 
 void refuse_pointer(const Scene& scene) {
@@ -85,6 +118,11 @@ SimulationResult simulate(const Scene& scene, const SimulationOptions& options) 
 }
 
 AxesResult simulate_axes(const Scene& scene, const AxesOptions& options) {
+  const auto couples = [](const ScheduledChange& change) { return couples_axes(change.scene); };
+  if (couples_axes(scene) || std::ranges::any_of(options.changes, couples)) {
+    for (std::size_t i = 0; i < scene.axes.size(); ++i) refuse_pointer(axis_scene(scene, i));
+    return simulate_together(scene, options);
+  }
   const bool wants_samples = static_cast<bool>(options.on_tick);
   std::deque<WaitingAxis> axes;
   for (std::size_t i = 0; i < scene.axes.size(); ++i) {

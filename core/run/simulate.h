@@ -61,7 +61,8 @@ struct AxesResult {
 };
 
 // All axes of a scene, each as simulate() would run it alone: they share only the clock. If one
-// diverges all end, at most kAxesApartTicks later. Preconditions: those of simulate().
+// diverges all end, at most kAxesApartTicks later. Axes that need each other (couples_axes()) tick
+// together, which takes longer. Preconditions: those of simulate().
 // Realtime-safe: no.
 [[nodiscard]] AxesResult simulate_axes(const Scene& scene, const AxesOptions& options = {});
 inline constexpr std::uint64_t kAxesApartTicks = 1024;

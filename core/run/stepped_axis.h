@@ -28,11 +28,24 @@ class SteppedAxis {
     }
     tick_ = servo_.state().tick;
     Device device{*plant_};
-    sample_ = servo_.tick(device);
-    force_n_ = device.force_n;
-    diverged_ = servo_.state().failed;
+    take(servo_.tick(device), device);
     return diverged_ ? nullptr : &sample_;
   }
+  // compute() for two axes that need each other. False: one of them has diverged.
+  [[nodiscard]] static bool compute_together(SteppedAxis& x, SteppedAxis& y) {
+    if (x.diverged() || y.diverged()) return false;
+    Device device_x{*x.plant_};
+    Device device_y{*y.plant_};
+    x.tick_ = y.tick_ = x.servo_.state().tick;
+    const auto samples = Servo::tick_together(x.servo_, device_x, y.servo_, device_y);
+    x.take(samples[0], device_x);
+    y.take(samples[1], device_y);
+    return !x.diverged_ && !y.diverged_;
+  }
+  // True if compute() needs the other axis, so that the two call compute_together().
+  [[nodiscard]] bool needs_other_axis() const { return servo_.settings().both_axes; }
+  // Of the last tick.
+  [[nodiscard]] const Sample& sample() const { return sample_; }
   // Passes the time to the next tick.
   void advance() {
     plant_->advance(force_n_);
@@ -61,6 +74,12 @@ class SteppedAxis {
     void write(double newtons) { force_n = newtons; }
     [[nodiscard]] const PlantTruth* truth() const { return &plant.truth(); }
   };
+
+  void take(const Sample& sample, const Device& device) {
+    sample_ = sample;
+    force_n_ = device.force_n;
+    diverged_ = servo_.state().failed;
+  }
 
   Scene scene_;
   Servo servo_;

@@ -16,9 +16,13 @@ ServoSettings servo_settings(const Scene& scene) {
     settings.max_rise_n = rate * settings.period_s();
   }
   settings.walls = WallSet(scene.x().walls);
+  settings.axis = static_cast<std::uint32_t>(scene.first_axis);
+  settings.environment = chosen_environment(scene.environment);
+  settings.environment_settings = scene.environment;
   settings.estimator = chosen_estimator(scene.estimator);
   settings.estimator_settings = scene.estimator;
   settings.algorithm = scene.algorithm;
+  settings.both_axes = settings.environment != nullptr || reads_other_axis(scene.algorithm);
   return settings;
 }
 
@@ -38,11 +42,14 @@ Servo::Servo(const ServoSettings& settings) : settings_(settings) {
 
 void Servo::configure() {
   const AlgorithmContext context = algorithm_context(settings_);
-  estimator_.configure(settings_.estimator, {settings_.render_rate_hz(), settings_.encoder_m,
-                                             &settings_.estimator_settings});
-  algorithm_.configure(settings_.algorithm, context);
-  state_.budget_n_per_m = believed_damping(context) * settings_.rate_hz;
-  if (!settings_.skipped.any()) state_.last = {};
+  parts_.estimator.configure(settings_.estimator, {settings_.render_rate_hz(), settings_.encoder_m,
+                                                   &settings_.estimator_settings});
+  parts_.environment.configure(settings_.environment,
+                               {context.period_s, &settings_.environment_settings, settings_.axis});
+  parts_.algorithm.configure(settings_.algorithm, context);
+  damping_n_s_per_m_ = believed_damping(context);
+  state_.budget_n_per_m = damping_n_s_per_m_ * settings_.rate_hz;
+  if (settings_.plain()) state_.last = {};
   state_.last.outdated = true;
 }
 
@@ -58,8 +65,7 @@ void Servo::apply(const ServoSettings& settings) {
 }
 
 void Servo::reset() {
-  estimator_.reset();
-  algorithm_.reset();
+  parts_.reset();
   const double budget_n_per_m = state_.budget_n_per_m;
   const double force_gain = state_.force_gain;
   state_ = ServoState{};

@@ -1,7 +1,7 @@
 // The fixed order of a tick, in one function:
 //
-//   read → age check → velocity (estimator) → walls → algorithm → finite check → magnitude clamp →
-//   write → ledger → sample
+//   read → age check → velocity (estimator) → environment → algorithm → finite check →
+//   magnitude clamp → write → ledger → sample
 //
 // Finite before clamp, because std::clamp(NaN, …) is NaN. Any failure means zero force. The live
 // loop, the headless run and the tests call the same function with different devices.
@@ -14,6 +14,7 @@
 
 #include "core/algorithm/followed_algorithm.h"
 #include "core/chance.h"
+#include "core/environment/active_environment.h"
 #include "core/environment/walls.h"
 #include "core/estimator/active_estimator.h"
 #include "core/sample.h"
@@ -55,15 +56,40 @@ struct ServoSettings {
   double maximum_age_s = kDefaultMaxAgeS;
   double transition_s = kSwitchTransitionS;
   WallSet walls;
+  std::uint32_t axis = 0;                    // 0: x, 1: y
+  const Environment* environment = nullptr;  // nullptr: the walls
+  EnvironmentSettings environment_settings;
   const Estimator* estimator = nullptr;  // nullptr: the backward difference
   EstimatorSettings estimator_settings;
   AlgorithmSettings algorithm;
+  // The axes of a scene with two need each other at every tick: they tick together.
+  bool both_axes = false;
 
   [[nodiscard]] double period_s() const { return 1.0 / rate_hz; }
   [[nodiscard]] double render_rate_hz() const {
     return rate_hz / static_cast<double>(skipped.render_every);
   }
+  // A loop in the walls of the scene that computes in every tick; servo_step() computes it inline.
+  [[nodiscard]] bool plain() const { return !skipped.any() && environment == nullptr; }
   friend bool operator==(const ServoSettings&, const ServoSettings&) = default;
+};
+
+// The replaceable parts of a tick. Realtime-safe: yes, except the constructor.
+struct TickParts {
+  ActiveEstimator estimator;
+  ActiveEnvironment environment;
+  FollowedAlgorithm algorithm;
+
+  void reset() {
+    estimator.reset();
+    environment.reset();
+    algorithm.reset();
+  }
+  // The signals of the last tick, and no others.
+  void show(Signals& signals) const {
+    algorithm.show(signals);
+    environment.show(signals);
+  }
 };
 
 // Axis x of a scene; without a force limit the largest finite double. Realtime-safe: yes.
@@ -198,51 +224,93 @@ namespace detail {
   out.displacement_m = state.position_known ? out.position_m - state.previous_position_m : 0.0;
 }
 
-// Estimator, walls and algorithm: the force that the algorithm wants. `displacement_m`: since the
-// last computation.
-[[gnu::always_inline]] inline double compute_force(const ServoSettings& settings,
-                                                   const ServoState& state,
-                                                   ActiveEstimator& estimator,
-                                                   FollowedAlgorithm& algorithm,
-                                                   double displacement_m, TickOutcome& out) {
-  out.velocity_m_per_s = estimator.velocity(out.position_m, displacement_m);
-  out.contact = evaluate_walls(settings.walls, out.position_m, out.velocity_m_per_s);
-  const AlgorithmInput input{
+// The input of the algorithm, but for what an environment and another axis add. `displacement_m`:
+// since the last computation.
+[[gnu::always_inline]] inline AlgorithmInput algorithm_input(const ServoState& state,
+                                                             double displacement_m,
+                                                             const TickOutcome& out) {
+  return {
       out.contact.force_n,       out.position_m,        displacement_m,        out.velocity_m_per_s,
       out.contact.penetration_m, previous_force(state), out.contact.in_contact};
-  const double wanted_n = algorithm.step(input);
+}
+
+// Estimator, walls and algorithm: the force that the algorithm wants.
+[[gnu::always_inline]] inline double compute_force(const ServoSettings& settings,
+                                                   const ServoState& state, TickParts& parts,
+                                                   TickOutcome& out) {
+  out.velocity_m_per_s = parts.estimator.velocity(out.position_m, out.displacement_m);
+  out.contact = evaluate_walls(settings.walls, out.position_m, out.velocity_m_per_s);
+  const double wanted_n = parts.algorithm.step(algorithm_input(state, out.displacement_m, out));
   out.intervened = wanted_n != out.contact.force_n;
   return wanted_n;
 }
 
 // A tick by value, so that the state of an ideal loop needs no address.
-struct HeldTick {
+struct OpenTick {
   ServoState state;
   TickOutcome out;
+  double displacement_m = 0.0;  // since the last computation
+  bool computes = true;         // false: the controller skips this tick
   double wanted_n = 0.0;
 };
 
-// compute_force(), or the force of the last computation on a tick that is skipped. A skipped tick
-// knows where the handle is, and has the velocity of the last computation.
-[[gnu::noinline]] inline HeldTick compute_or_hold(const ServoSettings& settings, HeldTick tick,
-                                                  ActiveEstimator& estimator,
-                                                  FollowedAlgorithm& algorithm) {
+// The parts of compute_force() for a loop that is not plain(). A skipped tick knows where the
+// handle is, and has velocity and force of the last computation.
+inline void take_velocity(const ServoSettings& settings, TickParts& parts, OpenTick& tick) {
+  LastComputation& last = tick.state.last;
+  tick.displacement_m = last.displacement_m += tick.out.displacement_m;
+  tick.computes =
+      last.outdated || !settings.skipped.any() || !settings.skipped.has(tick.state.tick);
+  if (tick.computes) {
+    last.displacement_m = 0.0;
+    last.velocity_m_per_s = parts.estimator.velocity(tick.out.position_m, tick.displacement_m);
+  }
+  tick.out.velocity_m_per_s = last.velocity_m_per_s;
+}
+
+// `other`: the other axis of the scene at this tick; nullptr: none, or not asked for.
+inline void take_contact(const ServoSettings& settings, TickParts& parts, const OpenTick* other,
+                         OpenTick& tick) {
+  TickOutcome& out = tick.out;
+  if (settings.environment == nullptr) {
+    out.contact = evaluate_walls(settings.walls, out.position_m, out.velocity_m_per_s);
+    return;
+  }
+  EnvironmentMotion motion{settings.axis, other != nullptr,
+                           static_cast<double>(out.tick) / settings.rate_hz, out.position_m,
+                           out.velocity_m_per_s};
+  if (other != nullptr) {
+    motion.other_position_m = other->out.position_m;
+    motion.other_velocity_m_per_s = other->out.velocity_m_per_s;
+  }
+  parts.environment.look(motion, tick.computes);
+  out.contact = parts.environment.contact();
+  // An algorithm may turn NaN into a finite force: energy-bounding adds its bound to the last one.
+  if (!std::isfinite(out.contact.force_n)) tick.state.failed = true;
+}
+
+inline void take_force(const ServoSettings& settings, TickParts& parts, const OtherAxis* other,
+                       OpenTick& tick) {
   LastComputation& last = tick.state.last;
   TickOutcome& out = tick.out;
-  last.displacement_m += out.displacement_m;
-  if (!last.outdated && settings.skipped.has(tick.state.tick)) {
-    out.velocity_m_per_s = last.velocity_m_per_s;
-    out.contact = evaluate_walls(settings.walls, out.position_m, out.velocity_m_per_s);
-    out.intervened = last.intervened;
-  } else {
-    last.wanted_n =
-        compute_force(settings, tick.state, estimator, algorithm, last.displacement_m, out);
-    last.displacement_m = 0.0;
-    last.velocity_m_per_s = out.velocity_m_per_s;
-    last.intervened = out.intervened;
+  if (tick.computes) {
+    AlgorithmInput input = algorithm_input(tick.state, tick.displacement_m, out);
+    if (settings.environment != nullptr) input.environment = &parts.environment;
+    input.other = other;
+    last.wanted_n = parts.algorithm.step(input);
+    last.intervened = last.wanted_n != out.contact.force_n;
   }
+  out.intervened = last.intervened;
   last.outdated = out.stale || out.fault;
   tick.wanted_n = last.wanted_n;
+}
+
+// The force of a loop that is not plain().
+[[gnu::noinline]] inline OpenTick compute_openly(const ServoSettings& settings, OpenTick tick,
+                                                 TickParts& parts) {
+  take_velocity(settings, parts, tick);
+  take_contact(settings, parts, nullptr, tick);
+  take_force(settings, parts, nullptr, tick);
   return tick;
 }
 
@@ -288,30 +356,40 @@ struct HeldTick {
   ++state.tick;
 }
 
+// The end of a tick, from the force that the algorithm wants.
+template <typename Device>
+[[gnu::always_inline]] inline void finish(const ServoSettings& settings, ServoState& state,
+                                          TickParts& parts, double wanted_n, TickOutcome& out,
+                                          Device& device) {
+  make_safe(settings, state, wanted_n, out);
+  device.write(out.force_n);
+  if (settings.environment != nullptr) [[unlikely]] {
+    // While no force may act, what is touched has no motion: it begins anew when it may.
+    state.force_gain > 0.0 ? parts.environment.advance(out.force_n) : parts.environment.reset();
+  }
+  remember(state, out);
+}
+
 }  // namespace detail
 
 // One tick. `device` has `DeviceReading read()` and `void write(double)`. Realtime-safe: yes, if
 // the device is.
 template <typename Device>
 [[gnu::always_inline]] inline TickOutcome servo_step(const ServoSettings& settings,
-                                                     ServoState& state, ActiveEstimator& estimator,
-                                                     FollowedAlgorithm& algorithm, Device& device) {
+                                                     ServoState& state, TickParts& parts,
+                                                     Device& device) {
   TickOutcome out;
   detail::take_reading(settings, state, device.read(), out);
   double wanted_n = 0.0;
-  if (settings.skipped.any()) [[unlikely]] {
-    const detail::HeldTick tick =
-        detail::compute_or_hold(settings, {state, out}, estimator, algorithm);
+  if (!settings.plain()) [[unlikely]] {
+    const detail::OpenTick tick = detail::compute_openly(settings, {state, out}, parts);
     state = tick.state;
     out = tick.out;
     wanted_n = tick.wanted_n;
   } else {
-    wanted_n =
-        detail::compute_force(settings, state, estimator, algorithm, out.displacement_m, out);
+    wanted_n = detail::compute_force(settings, state, parts, out);
   }
-  detail::make_safe(settings, state, wanted_n, out);
-  device.write(out.force_n);
-  detail::remember(state, out);
+  detail::finish(settings, state, parts, wanted_n, out, device);
   return out;
 }
 
@@ -327,7 +405,7 @@ inline void write_sample(const ServoSettings& settings, const EnergyLedger& ledg
   sample.force_n = out.force_n;
   // A denormal penetration gives an infinite quotient; a recording holds finite numbers only.
   constexpr double kMax = std::numeric_limits<double>::max();
-  sample.stiffness_n_per_m = out.contact.in_contact
+  sample.stiffness_n_per_m = out.contact.in_contact && out.contact.penetration_m != 0.0
                                  ? std::clamp(out.force_n / out.contact.penetration_m, -kMax, kMax)
                                  : 0.0;
   sample.energy_cv_j = ledger.cv_j;

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/algorithm/algorithm.h"
+#include "core/environment/environment.h"
 #include "core/tick/servo.h"
 #include "tests/benchmark/rows.h"
 
@@ -35,10 +36,20 @@ class MovedDevice {
   std::size_t next_ = 0;
 };
 
+// Of `press`, and where the other environments have their surface.
+constexpr double kWallM = 0.05;
+
+Scene press_in(const Environment& environment) {
+  Scene scene = under("none", builtin("press"));
+  scene.environment.index = find_environment(environment.description.name).value();
+  if (!scene.environment.is_walls()) scene.x().walls.clear();
+  return scene;
+}
+
 // The servo's part of the live loop: a tick with its whole sample.
 void live_ticks(benchmark::State& state, const Scene& scene) {
   Servo servo(servo_settings(scene));
-  MovedDevice device(scene.x().walls.front().position_m);
+  MovedDevice device(kWallM);
   for (auto _ : state) {
     for (std::size_t tick = 0; tick < kLiveTicks; ++tick)
       benchmark::DoNotOptimize(servo.tick(device).force_n);
@@ -47,6 +58,16 @@ void live_ticks(benchmark::State& state, const Scene& scene) {
 }
 
 }  // namespace
+
+// The row of `walls` is the peer of the others.
+void add_environments() {
+  for (const Environment& environment : environments()) {
+    const std::string name = "live tick in " + std::string(environment.description.name);
+    benchmark::RegisterBenchmark(
+        name.c_str(),
+        [scene = press_in(environment)](benchmark::State& state) { live_ticks(state, scene); });
+  }
+}
 
 void add_algorithms() {
   for (const AlgorithmDescription& algorithm : algorithms()) {

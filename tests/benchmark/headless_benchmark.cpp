@@ -54,6 +54,7 @@ void register_all() {
   add_friction_kernel("golden-soft-fric, full ledger", friction);
   if (!file::load_plugin(HAPTICWALL_BENCHMARK_PLUGIN)) std::abort();
   add_algorithms();
+  add_environments();
   add_ladder();
   add_friction_events();
   add_maps();

@@ -36,6 +36,7 @@ void add_friction_kernel(const std::string& name, const Scene& scene);
 void add_friction_events();
 // Each scene under each algorithm, plug-ins included, and a live tick under each.
 void add_algorithms();
+void add_environments();
 // Maps of 200 x 200 scenes of 2 s, on all cores.
 void add_maps();
 

@@ -8,6 +8,7 @@
 
 #include "app/file/scene/scene_file.h"
 #include "core/algorithm/algorithm.h"
+#include "core/environment/environment.h"
 #include "core/estimator/estimator.h"
 #include "tests/window/rows.h"
 
@@ -148,42 +149,66 @@ void type_substeps(Person& person) {
   EXPECT_EQ(person.scene().simulator.substeps, 1);
 }
 
-void choose_estimator(Person& person, std::size_t index) {
-  person.click("estimator");
-  person.click(std::string(estimators()[index].description.name));
-  EXPECT_EQ(person.scene().estimator.index, index);
+// A list with a table of keys in the scene: estimators or environments.
+template <class List, class Settings>
+struct Part {
+  std::string table;  // "estimator"
+  const List& list;
+  std::span<const ParameterDescription> keys;
+  Settings Scene::*settings;
+};
+const Part kEstimators{"estimator", estimators(), estimator_parameters(), &Scene::estimator};
+const Part kEnvironments{"environment", environments(), environment_parameters(),
+                         &Scene::environment};
+
+template <class AnyPart>
+void choose_part(Person& person, const AnyPart& part, std::size_t index) {
+  person.click(part.table);
+  person.click(std::string(part.list[index].description.name));
+  EXPECT_EQ((person.scene().*part.settings).index, index);
 }
 
-std::optional<double> estimator_value(Person& person, std::string_view key) {
-  const auto all = estimator_parameters();
-  const auto found = std::ranges::find(all, key, &ParameterDescription::key);
-  return person.scene().estimator.values.at(static_cast<std::size_t>(found - all.begin()));
+template <class AnyPart>
+std::optional<double> part_value(Person& person, const AnyPart& part, std::string_view key) {
+  const auto found = std::ranges::find(part.keys, key, &ParameterDescription::key);
+  const auto index = static_cast<std::size_t>(found - part.keys.begin());
+  return (person.scene().*part.settings).values.at(index);
 }
 
-void type_estimator_parameter(Person& person, const ParameterDescription& description) {
-  const std::string item = "estimator." + std::string(description.key);
+template <class AnyPart>
+void type_part_parameter(Person& person, const AnyPart& part,
+                         const ParameterDescription& description) {
+  const std::string item = part.table + "." + std::string(description.key);
   EXPECT_TRUE(person.has_tooltip(item));
-  const double value = 2.0 * description.minimum;
+  const double value = 0.5 * description.maximum;
   person.type(item, fmt::format("{}", value));
-  EXPECT_EQ(estimator_value(person, description.key), value);
+  EXPECT_EQ(part_value(person, part, description.key), value);
   person.type(item, fmt::format("{}", 2.0 * description.maximum));
-  EXPECT_EQ(estimator_value(person, description.key), value) << "it is out of range";
+  EXPECT_EQ(part_value(person, part, description.key), value) << "it is out of range";
   EXPECT_TRUE(person.state().edit.refusal);
   person.put_everything_away();
   person.type(item, "");
-  EXPECT_EQ(estimator_value(person, description.key), std::nullopt);
+  EXPECT_EQ(part_value(person, part, description.key), std::nullopt);
 }
 
 // Ends with the default.
-void use_estimators(Person& person) {
-  for (std::size_t i = 1; i <= estimators().size(); ++i) {
-    const std::size_t index = i % estimators().size();
-    choose_estimator(person, index);
-    for (const ParameterDescription& parameter : estimators()[index].description.parameters) {
+template <class AnyPart>
+void use_parts(Person& person, const AnyPart& part) {
+  for (std::size_t i = 1; i <= part.list.size(); ++i) {
+    const std::size_t index = i % part.list.size();
+    choose_part(person, part, index);
+    for (const ParameterDescription& parameter : part.list[index].description.parameters) {
       SCOPED_TRACE(std::string(parameter.key));
-      type_estimator_parameter(person, parameter);
+      type_part_parameter(person, part, parameter);
     }
   }
+}
+
+void use_environments(Person& person) {
+  use_parts(person, kEnvironments);
+  EXPECT_TRUE(person.scene().x().walls.empty());
+  open_scene(person, "press");
+  EXPECT_FALSE(person.scene().x().walls.empty());
 }
 
 // The numbers that an estimator shows.
@@ -192,8 +217,8 @@ void add_estimator_numbers(Table& table) {
   for (std::size_t i = 0; i < estimators().size(); ++i) {
     if (estimators()[i].numbers == nullptr) continue;
     for (const DerivedNumber& number : estimators()[i].numbers({1000.0, 0.0, &settings})) {
-      table.push_back(
-          shown(std::string(number.name), [i](Person& person) { choose_estimator(person, i); }));
+      table.push_back(shown(std::string(number.name),
+                            [i](Person& person) { choose_part(person, kEstimators, i); }));
     }
   }
 }
@@ -246,6 +271,7 @@ Table wall_rows(const std::string& scene_of_two_walls) {
           shown("bound, stable"),
           shown("bound, friction"),
           shown("bound, resolution"),
+          {"environment", use_environments},
           {"wall 2",
            [scene_of_two_walls](Person& person) { choose_wall(person, scene_of_two_walls); }}};
 }
@@ -262,7 +288,7 @@ Table loop_rows() {
   const Table skipped = departure_rows();
   table.insert(table.end(), skipped.begin(), skipped.end());
   add_estimator_numbers(table);
-  table.push_back({"estimator", use_estimators});
+  table.push_back({"estimator", [](Person& person) { use_parts(person, kEstimators); }});
   return table;
 }
 

@@ -20,6 +20,7 @@
 #include "app/command/report/expectation.h"
 #include "app/command/report/summary_fields.h"
 #include "app/command/report/summary_table.h"
+#include "app/command/report/terminal.h"
 #include "app/command/run/headless.h"
 #include "app/command/signals.h"
 #include "app/draw/figure/comparison_figure.h"
@@ -163,6 +164,22 @@ Result<int> run_instead(const study::Study& study, std::string_view option,
   return run_study(study, "compare", option, options.scene, options.output, choices);
 }
 
+// Drops the algorithms that do not run in the scene's environment, with a note; one that was named
+// is refused.
+Failure drop_refused(const Scene& scene, bool named, std::vector<ComparedAlgorithm>& compared) {
+  std::vector<ComparedAlgorithm> kept;
+  for (ComparedAlgorithm& row : compared) {
+    Scene under = scene;
+    under.algorithm = row.settings;
+    const auto problem = validate(under);
+    if (problem && named) return usage_error(problem->message);
+    if (problem) tell(fmt::format("note: left out: {}", problem->message));
+    if (!problem) kept.push_back(std::move(row));
+  }
+  compared = std::move(kept);
+  return {};
+}
+
 Result<int> compare(const CompareOptions& options) {
   const bool named_hands = !options.hands.empty();
   if (options.study && named_hands) return usage_error("--hands: not with --study");
@@ -189,7 +206,8 @@ Result<int> compare(const CompareOptions& options) {
   Result<Compared> from = load_compared(options.scene, options.output.quiet);
   if (!from) return from.error();
   const Scene& scene = from->loaded.scene;
-  const auto compared = compared_algorithms(scene.algorithm, *indices);
+  auto compared = compared_algorithms(scene.algorithm, *indices);
+  if (Failure failed = drop_refused(scene, !options.algorithms.empty(), compared)) return *failed;
   if (!options.worst_hand.empty()) {
     if (Failure failed = check_hand_search(scene, from->recording.has_value())) return *failed;
   }

@@ -5,13 +5,15 @@
 #include <mutex>
 
 #include "app/file/plugin/plugin_library.h"
-#include "core/algorithm/plugin/include/hapticwall/plugin.h"
+#include "core/algorithm/plugin/include/hapticwall/environment.h"
 #include "core/algorithm/plugin/plugin_list.h"
+#include "core/environment/plugin/plugin_environment.h"
 
 namespace hapticwall::file {
 namespace {
 
 constexpr const char* kExport = "hapticwall_plugin";
+constexpr const char* kEnvironmentExport = "hapticwall_environment";
 
 // Plug-in files by revision, indexed as in algorithms(). A plug-in registered by another program
 // that uses this code has no file.
@@ -21,6 +23,12 @@ struct PluginFiles {
 };
 PluginFiles& plugin_files() {
   static PluginFiles files;
+  return files;
+}
+
+// By index in environments(). Changes before other threads start.
+std::map<std::size_t, PluginFile>& environment_files() {
+  static std::map<std::size_t, PluginFile> files;
   return files;
 }
 
@@ -49,6 +57,26 @@ Result<std::size_t> load_plugin(const std::string& path) {
   if (!symbol) return symbol.error();
   const std::size_t index = add_plugin(plugin_of(*symbol));
   plugin_files().all[index].push_back({path, file->sha256});
+  return index;
+}
+
+const PluginFile* environment_file(std::size_t environment) {
+  const auto found = environment_files().find(environment);
+  return found == environment_files().end() ? nullptr : &found->second;
+}
+
+Result<std::size_t> load_environment(const std::string& path) {
+  for (const auto& [environment, file] : environment_files()) {
+    if (file.path == path) return environment;
+  }
+  const Result<LibraryBytes> file = read_library(path);
+  if (!file) return file.error();
+  const Result<const void*> symbol = load_library(*file, kEnvironmentExport, [](const void* found) {
+    return environment_problem(*static_cast<const hw_environment*>(found));
+  });
+  if (!symbol) return symbol.error();
+  const std::size_t index = add_environment_plugin(*static_cast<const hw_environment*>(*symbol));
+  environment_files()[index] = {path, file->sha256};
   return index;
 }
 

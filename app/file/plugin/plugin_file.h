@@ -1,4 +1,5 @@
-// Algorithms from shared libraries, by the interface of hapticwall/plugin.h.
+// Algorithms and environments from shared libraries, by the interfaces of hapticwall/plugin.h and
+// hapticwall/environment.h.
 #pragma once
 
 #include <cstddef>
@@ -15,13 +16,18 @@ struct PluginFile {
   std::string sha256;  // of the bytes that were loaded
 };
 
-// True for a path with a slash, "./mine.so"; the name of an algorithm has none.
+// True for a path with a slash, "./mine.so"; the name of an algorithm or environment has none.
 [[nodiscard]] bool names_plugin(std::string_view text);
 
 // Loads a plug-in and gives its index in algorithms(); the same path again gives the same index.
 // Runs code of the library. Later changes of the file have no effect. Call it before other threads
 // start. Realtime-safe: no.
 [[nodiscard]] Result<std::size_t> load_plugin(const std::string& path);
+
+// The same for an environment, and its index in environments().
+[[nodiscard]] Result<std::size_t> load_environment(const std::string& path);
+// nullptr for an environment that was not loaded from a file.
+[[nodiscard]] const PluginFile* environment_file(std::size_t environment);
 
 // Loads the file of a plug-in again, as its newest revision. Returns false if the file has not
 // changed. Running loops keep the old revision until they receive the new one. Fails, and changes

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "app/file/text/text.h"
+#include "core/environment/environment.h"
 
 namespace hapticwall::file {
 namespace {
@@ -194,21 +195,29 @@ SignalNames signal_names(const CsvColumns& columns) {
   return names;
 }
 
+namespace {
+
+void add_signals(std::span<const SignalDescription> signals, std::vector<SignalColumn>& columns) {
+  for (const SignalDescription& signal : signals) {
+    const SignalColumn column{std::string(signal.name), *find_algorithm_signal(signal.name)};
+    if (std::ranges::find(columns, column) == columns.end()) columns.push_back(column);
+  }
+}
+
+}  // namespace
+
 std::vector<SignalColumn> signal_columns(std::span<const std::size_t> indices) {
   std::vector<SignalColumn> columns;
-  for (const std::size_t index : indices) {
-    for (const SignalDescription& signal : algorithms()[index].signals) {
-      const SignalColumn column{std::string(signal.name), *find_algorithm_signal(signal.name)};
-      if (std::ranges::find(columns, column) == columns.end()) columns.push_back(column);
-    }
-  }
+  for (const std::size_t index : indices) add_signals(algorithms()[index].signals, columns);
   return columns;
 }
 
 std::vector<SignalColumn> all_signal_columns() {
   std::vector<std::size_t> indices(algorithms().size());
   std::iota(indices.begin(), indices.end(), std::size_t{0});
-  return signal_columns(indices);
+  std::vector<SignalColumn> columns = signal_columns(indices);
+  add_signals(environment_signals(), columns);
+  return columns;
 }
 
 std::vector<SignalColumn> signal_columns(const Scene& scene,
@@ -220,7 +229,13 @@ std::vector<SignalColumn> signal_columns(const Scene& scene,
   };
   add(scene.algorithm);
   for (const ScheduledChange& change : changes) add(change.scene.algorithm);
-  return signal_columns(indices);
+  std::vector<SignalColumn> columns = signal_columns(indices);
+  const auto add_environment = [&](const EnvironmentSettings& environment) {
+    add_signals(environments()[environment.index].description.signals, columns);
+  };
+  add_environment(scene.environment);
+  for (const ScheduledChange& change : changes) add_environment(change.scene.environment);
+  return columns;
 }
 
 Result<CsvColumns> parse_csv_header(std::string_view line) {

@@ -16,8 +16,8 @@ namespace {
 
 constexpr std::string_view kChangePrefix = "recording.change.";
 
-// Writes algorithm and walls, and of estimator and plant the tables that differ from the start. The
-// scenes come without their paths.
+// Writes algorithm and walls, and of environment, estimator and plant the tables that differ from
+// the start. The scenes come without their paths.
 void write_change(TomlText& out, const Scene& start, const ScheduledChange& change) {
   const Scene scene = without_paths(change.scene);
   out.table_of_array("recording.change");
@@ -35,6 +35,8 @@ void write_change(TomlText& out, const Scene& start, const ScheduledChange& chan
   if (sampling != start.sampling) write_numbers(out, "recording.change.sampling", sampling);
   if (scene.simulator != start.simulator) write_simulator(out, kChangePrefix, scene.simulator);
   write_algorithm(out, kChangePrefix, scene.algorithm);
+  if (scene.environment != start.environment)
+    write_environment(out, kChangePrefix, scene.environment);
   if (scene.estimator != start.estimator) write_estimator(out, kChangePrefix, scene.estimator);
   write_walls(out, kChangePrefix, scene);
 }

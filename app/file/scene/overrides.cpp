@@ -106,6 +106,12 @@ toml::table parse_assignment(const std::string& key, std::string_view value,
   }
 }
 
+// Another environment takes the place of the walls.
+void drop_walls(toml::table& root) {
+  const auto name = root["environment"]["name"].value<std::string_view>();
+  if (name && *name != "walls") root.erase("wall");
+}
+
 // A path of points takes the place of a file, and a file that of points.
 void drop_other_path(toml::table& hand, std::string_view key) {
   if (key != "path" && key != "path_file") return;
@@ -129,7 +135,8 @@ void apply_override(toml::table& root, const std::string& override_text) {
   std::vector<KeyPart> parts = key_parts(std::string_view(override_text).substr(0, equals), label);
 
   // A word alone is the name: algorithm=none.
-  const bool is_named = parts.front().name == "algorithm" || parts.front().name == "estimator";
+  const bool is_named = parts.front().name == "algorithm" || parts.front().name == "estimator" ||
+                        parts.front().name == "environment";
   if (is_named && parts.size() == 1 && !value.starts_with('{')) parts.push_back({"name", {}});
   toml::table* table = &root;
   std::size_t next = 0;
@@ -152,6 +159,7 @@ void apply_override(toml::table& root, const std::string& override_text) {
   toml::table assignment = parse_assignment(key, value, label);
   if (parts.front().name == "hand") drop_other_path(*table, key);
   table->insert_or_assign(parts[next].name, std::move(*assignment.get(parts[next].name)));
+  if (parts.front().name == "environment") drop_walls(root);
 }
 
 }  // namespace hapticwall::file

@@ -89,6 +89,9 @@ ScheduledChange read_change(const toml::table& table, const std::string& prefix,
   if (const toml::table* algorithm = reader.table("algorithm")) {
     change.scene.algorithm = read_algorithm(*algorithm, prefix, origin);
   }
+  if (const toml::table* environment = reader.table("environment")) {
+    change.scene.environment = read_environment(*environment, prefix, origin);
+  }
   if (const toml::table* estimator = reader.table("estimator")) {
     change.scene.estimator = read_estimator(*estimator, prefix, origin);
   }

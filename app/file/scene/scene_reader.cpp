@@ -44,6 +44,9 @@ Scene read_tables(TableReader& reader, const std::string& origin) {
   }
   read_axes(reader, origin, scene);
   read_walls(reader, "", scene);
+  if (const auto* table = reader.table("environment")) {
+    scene.environment = read_environment(*table, "", origin);
+  }
   if (const auto* table = reader.table("algorithm")) {
     scene.algorithm = read_algorithm(*table, "", origin);
   }
@@ -78,19 +81,25 @@ std::string changed_hand_file(const toml::table& root, const Scene& scene) {
   return "";
 }
 
-// The plug-in's file that has other bytes than the scene says, or "". Another algorithm may have
-// taken the plug-in's place.
-std::string changed_plugin(toml::node_view<const toml::node> algorithm, const Scene& scene) {
-  const PluginFile* const plugin = plugin_file(scene.algorithm.index);
-  const auto recorded = algorithm["plugin_sha256"].value<std::string_view>();
+// The plug-in's file that has other bytes than the table says, or "". Another algorithm or
+// environment may have taken the plug-in's place: `plugin` is then nullptr.
+std::string changed_file(toml::node_view<const toml::node> table, const PluginFile* plugin) {
+  const auto recorded = table["plugin_sha256"].value<std::string_view>();
   return plugin != nullptr && recorded && *recorded != plugin->sha256 ? plugin->path : "";
+}
+
+// `tables`: a scene, or a change of a recording.
+std::string changed_plugin(const toml::table& tables, const Scene& scene) {
+  std::string path = changed_file(tables["algorithm"], plugin_file(scene.algorithm.index));
+  if (!path.empty()) return path;
+  return changed_file(tables["environment"], environment_file(scene.environment.index));
 }
 
 // Path of a changed plug-in of the scene or of one of its changes.
 std::string changed_plugin(const toml::table& root, const LoadedScene& loaded) {
-  std::string path = changed_plugin(root["algorithm"], loaded.scene);
+  std::string path = changed_plugin(root, loaded.scene);
   for (std::size_t i = 0; path.empty() && i < loaded.changes.size(); ++i)
-    path = changed_plugin(root["recording"]["change"][i]["algorithm"], loaded.changes[i].scene);
+    path = changed_plugin(*root["recording"]["change"][i].as_table(), loaded.changes[i].scene);
   return path;
 }
 

@@ -10,6 +10,7 @@
 #include "app/file/scene/hand_file.h"
 #include "app/file/text/text.h"
 #include "core/algorithm/algorithm.h"
+#include "core/environment/environment.h"
 #include "core/estimator/estimator.h"
 
 namespace hapticwall::file {
@@ -132,26 +133,36 @@ void read_walls(TableReader& parent, const std::string& prefix, Scene& scene) {
   }
 }
 
-// A scene loads no library: its plug-in must be in the list by --algorithm.
-[[noreturn]] void refuse_algorithm(TableReader& reader, const toml::node& node,
-                                   const std::string& name, const std::string& plugin) {
+// A scene loads no library: its plug-in must be in the list by the option of its kind, such as
+// --algorithm. Returns if the name is none of a plug-in.
+void refuse_plugin(TableReader& reader, const toml::node& node, const std::string& name,
+                   const std::string& plugin, std::string_view kind) {
   if (!plugin.empty()) {
-    reader.fail(
-        node, "name",
-        fmt::format("{} is of the plug-in {}, which a scene does not load; if you trust it, "
-                    "--algorithm {} does",
-                    in_quotes(name), in_quotes(plugin), shown(plugin)));
+    reader.fail(node, "name",
+                fmt::format("{} is of the plug-in {}, which a scene does not load; if you trust "
+                            "it, --{} {} does",
+                            in_quotes(name), in_quotes(plugin), kind, shown(plugin)));
   }
   if (names_plugin(name)) {
     reader.fail(node, "name",
                 fmt::format("{} is a file, which a scene does not load; if you trust it, "
-                            "--algorithm {} does",
-                            in_quotes(name), shown(name)));
+                            "--{} {} does",
+                            in_quotes(name), kind, shown(name)));
   }
-  const auto names = names_of(algorithms(), &AlgorithmDescription::name);
+}
+
+[[noreturn]] void refuse_name(TableReader& reader, const toml::node& node, const std::string& name,
+                              std::string_view kind, const std::vector<std::string_view>& names) {
   reader.fail(node, "name",
-              fmt::format("no algorithm is called {}{}; known: {}", in_quotes(name),
+              fmt::format("no {} is called {}{}; known: {}", kind, in_quotes(name),
                           suggestion(name, names), joined(names)));
+}
+
+template <class List>
+std::vector<std::string_view> names_of(const List& list) {
+  std::vector<std::string_view> names;
+  for (const auto& known : list) names.push_back(known.description.name);
+  return names;
 }
 
 AlgorithmSettings read_algorithm(const toml::table& table, const std::string& prefix,
@@ -162,10 +173,34 @@ AlgorithmSettings read_algorithm(const toml::table& table, const std::string& pr
   static_cast<void>(reader.string("plugin_sha256"));  // read_scene() compares it
   if (const std::optional<std::string> name = reader.string("name")) {
     const std::optional<std::size_t> index = find_algorithm(*name);
-    if (!index) refuse_algorithm(reader, *table.get("name"), *name, plugin);
+    if (!index) {
+      refuse_plugin(reader, *table.get("name"), *name, plugin, "algorithm");
+      refuse_name(reader, *table.get("name"), *name, "algorithm",
+                  file::names_of(algorithms(), &AlgorithmDescription::name));
+    }
     settings.index = *index;
   }
   read_parameters(reader, algorithm_parameters(), settings.values);
+  reader.finish();
+  return settings;
+}
+
+EnvironmentSettings read_environment(const toml::table& table, const std::string& prefix,
+                                     const std::string& origin) {
+  TableReader reader(table, prefix + "environment.", origin);
+  EnvironmentSettings settings;
+  const std::string plugin = reader.string("plugin_file").value_or("");
+  static_cast<void>(reader.string("plugin_sha256"));  // read_scene() compares it
+  if (const std::optional<std::string> name = reader.string("name")) {
+    const std::optional<std::size_t> index = find_environment(*name);
+    const toml::node& node = *table.get("name");
+    if (!index) {
+      refuse_plugin(reader, node, *name, plugin, "environment");
+      refuse_name(reader, node, *name, "environment", names_of(environments()));
+    }
+    settings.index = *index;
+  }
+  read_parameters(reader, environment_parameters(), settings.values);
   reader.finish();
   return settings;
 }
@@ -176,13 +211,7 @@ EstimatorSettings read_estimator(const toml::table& table, const std::string& pr
   EstimatorSettings settings;
   if (const std::optional<std::string> name = reader.string("name")) {
     const std::optional<std::size_t> index = find_estimator(*name);
-    if (!index) {
-      std::vector<std::string_view> names;
-      for (const Estimator& known : estimators()) names.push_back(known.description.name);
-      reader.fail(*table.get("name"), "name",
-                  fmt::format("no estimator is called {}{}; known: {}", in_quotes(*name),
-                              suggestion(*name, names), joined(names)));
-    }
+    if (!index) refuse_name(reader, *table.get("name"), *name, "estimator", names_of(estimators()));
     settings.index = *index;
   }
   read_parameters(reader, estimator_parameters(), settings.values);

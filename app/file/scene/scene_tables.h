@@ -24,6 +24,9 @@ namespace hapticwall::file {
                                      const std::string& origin);
 [[nodiscard]] AlgorithmSettings read_algorithm(const toml::table& table, const std::string& prefix,
                                                const std::string& origin);
+[[nodiscard]] EnvironmentSettings read_environment(const toml::table& table,
+                                                   const std::string& prefix,
+                                                   const std::string& origin);
 [[nodiscard]] EstimatorSettings read_estimator(const toml::table& table, const std::string& prefix,
                                                const std::string& origin);
 [[nodiscard]] SimulatorSettings read_simulator(const toml::table& table, const std::string& prefix,

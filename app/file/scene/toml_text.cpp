@@ -6,6 +6,7 @@
 #include "app/file/scene/scene_file.h"
 #include "app/file/text/text.h"
 #include "core/algorithm/algorithm.h"
+#include "core/environment/environment.h"
 #include "core/estimator/estimator.h"
 
 namespace hapticwall::file {
@@ -99,6 +100,17 @@ void write_algorithm(TomlText& out, std::string_view prefix, const AlgorithmSett
   write_parameters(out, algorithm_parameters(), algorithm.values);
 }
 
+void write_environment(TomlText& out, std::string_view prefix,
+                       const EnvironmentSettings& environment) {
+  out.table(fmt::format("{}environment", prefix));
+  out.string("name", environments()[environment.index].description.name);
+  if (const PluginFile* plugin = environment_file(environment.index)) {
+    out.string("plugin_file", plugin->path);
+    out.string("plugin_sha256", plugin->sha256);
+  }
+  write_parameters(out, environment_parameters(), environment.values);
+}
+
 void write_estimator(TomlText& out, std::string_view prefix, const EstimatorSettings& estimator) {
   out.table(fmt::format("{}estimator", prefix));
   out.string("name", estimators()[estimator.index].description.name);
@@ -136,6 +148,7 @@ std::string scene_to_toml(const Scene& scene) {
     write_path(out, *hand);
   }
   write_walls(out, "", scene);
+  if (scene.environment != EnvironmentSettings{}) write_environment(out, "", scene.environment);
   write_algorithm(out, "", scene.algorithm);
   if (scene.estimator != EstimatorSettings{}) write_estimator(out, "", scene.estimator);
   write_simulator(out, "", scene.simulator);

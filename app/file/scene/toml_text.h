@@ -51,6 +51,8 @@ void write_numbers(TomlText& out, std::string_view table, const Owner& owner) {
   out.numbers(owner);
 }
 void write_algorithm(TomlText& out, std::string_view prefix, const AlgorithmSettings& algorithm);
+void write_environment(TomlText& out, std::string_view prefix,
+                       const EnvironmentSettings& environment);
 void write_estimator(TomlText& out, std::string_view prefix, const EstimatorSettings& estimator);
 // The walls of axis x, then of axis y.
 void write_walls(TomlText& out, std::string_view prefix, const Scene& scene);

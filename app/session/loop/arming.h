@@ -99,9 +99,14 @@ struct ArmingFacts {
   ArmingNote judged = ArmingNote::kNone;  // fault that DeviceJudge found
   bool waits_for_answer = false;          // the delay of the device is not known yet
 };
-[[nodiscard]] inline ArmingFacts arming_facts(const Sample& sample, bool failed) {
+// Another environment than the walls may touch the handle everywhere: there a force above this one
+// counts as a contact.
+inline constexpr double kArmingForceN = 0.3;
+[[nodiscard]] inline ArmingFacts arming_facts(const Sample& sample, bool failed, bool in_walls) {
+  const bool touches =
+      in_walls ? sample.penetration_m > 0.0 : !(std::abs(sample.wall_force_n) <= kArmingForceN);
   const auto has = [&](SampleFlag flag) { return (sample.flags & flag) != 0; };
-  return {has(kFlagDeviceFault),       has(kFlagStaleInput), failed, sample.penetration_m > 0.0,
+  return {has(kFlagDeviceFault),       has(kFlagStaleInput), failed, touches,
           has(kFlagParametersChanged), ArmingNote::kNone,    false};
 }
 

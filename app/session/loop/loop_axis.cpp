@@ -1,19 +1,6 @@
 #include "app/session/loop/loop_axis.h"
 
 namespace hapticwall::session {
-namespace {
-
-// Gives the servo step a reading that was taken before.
-struct ReadDevice {
-  device::Device& device;
-  DeviceReading reading;
-
-  [[nodiscard]] DeviceReading read() const { return reading; }
-  void write(double force_n) { device.write(force_n); }
-};
-
-}  // namespace
-
 void LoopAxis::apply(const ServoSettings& settings, PlantModel* new_plant) {
   servo.apply(settings);
   if (new_plant == plant || new_plant == nullptr) return;
@@ -35,20 +22,23 @@ Sample LoopAxis::at_rest() {
   return sample;
 }
 
-Sample LoopAxis::judged_tick(double elapsed_s, bool armed) {
+ReadDevice LoopAxis::read(double elapsed_s, bool armed) {
   ReadDevice read{device, device.read()};
+  if (judge) judge_reading(read.reading, elapsed_s, armed);
+  return read;
+}
+
+void LoopAxis::judge_reading(DeviceReading& reading, double elapsed_s, bool armed) {
   ServoState& state = servo.state();
-  judged = judge->judge(read.reading, device.link(),
+  judged = judge->judge(reading, device.link(),
                         {elapsed_s, state.previous_force_n, servo.settings().force_limit_n, armed});
   const bool impossible = judged == ArmingNote::kImplausible || judged == ArmingNote::kAcceleration;
-  if (impossible) read.reading.state = DeviceState::kFault;
+  if (impossible) reading.state = DeviceState::kFault;
   state.limit_share = judge->obedience().limit_share();
   state.level = judge->obedience().level();
-  if (judged != ArmingNote::kNone) {
-    state.force_gain = 0.0;
-    device.enable(false);
-  }
-  return servo.tick(read);
+  if (judged == ArmingNote::kNone) return;
+  state.force_gain = 0.0;
+  device.enable(false);
 }
 
 }  // namespace hapticwall::session

@@ -10,6 +10,16 @@
 
 namespace hapticwall::session {
 
+// Gives the servo step a reading that was taken before.
+struct ReadDevice {
+  device::Device& device;
+  DeviceReading reading;
+
+  [[nodiscard]] DeviceReading read() const { return reading; }
+  void write(double force_n) { device.write(force_n); }
+  [[nodiscard]] const PlantTruth* truth() const { return device.truth(); }
+};
+
 struct LoopAxis {
   device::Device& device;
   Servo servo;
@@ -22,8 +32,12 @@ struct LoopAxis {
   void reset();
   // The sample before tick 0: the device's rest position, no force, no energies.
   [[nodiscard]] Sample at_rest();
-  // Judges the device and ticks. An objection removes the force in the same tick.
-  [[nodiscard]] Sample judged_tick(double elapsed_s, bool armed);
+  // Reads the device for the next tick. A real device is judged: an objection removes the force in
+  // the same tick.
+  [[nodiscard]] ReadDevice read(double elapsed_s, bool armed);
+
+ private:
+  void judge_reading(DeviceReading& reading, double elapsed_s, bool armed);
 };
 
 }  // namespace hapticwall::session

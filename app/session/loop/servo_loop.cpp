@@ -183,7 +183,8 @@ void ServoLoop::show_arming() {
 ArmingFacts ServoLoop::facts(const Tick& tick) const {
   ArmingFacts all;
   for (std::size_t i = 0; i < axes_.size(); ++i) {
-    const ArmingFacts one = arming_facts(tick.axes[i], axes_[i].servo.state().failed);
+    const ArmingFacts one = arming_facts(tick.axes[i], axes_[i].servo.state().failed,
+                                         axes_[i].servo.settings().environment == nullptr);
     all.fault = all.fault || one.fault;
     all.stale = all.stale || one.stale;
     all.failed = all.failed || one.failed;
@@ -196,21 +197,33 @@ ArmingFacts ServoLoop::facts(const Tick& tick) const {
   return all;
 }
 
-Sample ServoLoop::tick_axis(LoopAxis& axis) {
+ReadDevice ServoLoop::read(LoopAxis& axis) {
   axis.servo.state().force_gain = arming_.gain();
   axis.device.enable(arming_.enabled());
-  Sample sample =
-      axis.judge ? axis.judged_tick(elapsed_s_, arming_.enabled()) : axis.servo.tick(axis.device);
-  sample.generation = snapshot_.generation;
-  return sample;
+  return axis.read(elapsed_s_, arming_.enabled());
+}
+
+Tick ServoLoop::tick_axes() {
+  Tick tick;
+  tick.count = static_cast<std::uint8_t>(axes_.size());
+  if (axes_.size() == 2 && axes_.front().servo.settings().both_axes) {
+    ReadDevice x = read(axes_.front());
+    ReadDevice y = read(axes_.back());
+    tick.axes = Servo::tick_together(axes_.front().servo, x, axes_.back().servo, y);
+  } else {
+    for (std::size_t i = 0; i < axes_.size(); ++i) {
+      ReadDevice device = read(axes_[i]);
+      tick.axes[i] = axes_[i].servo.tick(device);
+    }
+  }
+  for (Sample& sample : tick.in_use()) sample.generation = snapshot_.generation;
+  return tick;
 }
 
 void ServoLoop::tick() {
   take_parameters();
   lead_hand();
-  Tick tick;
-  tick.count = static_cast<std::uint8_t>(axes_.size());
-  for (std::size_t i = 0; i < axes_.size(); ++i) tick.axes[i] = tick_axis(axes_[i]);
+  const Tick tick = tick_axes();
   if (arming_.after_tick(facts(tick))) {
     for (LoopAxis& axis : axes_) {
       axis.device.enable(false);

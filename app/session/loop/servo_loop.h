@@ -46,7 +46,8 @@ class ServoLoop {
   void disarm(ArmingNote why);
   void show_arming();
   void tick();
-  [[nodiscard]] Sample tick_axis(LoopAxis& axis);
+  [[nodiscard]] ReadDevice read(LoopAxis& axis);
+  [[nodiscard]] Tick tick_axes();
   [[nodiscard]] ArmingFacts facts(const Tick& tick) const;
   void count_force(const Tick& tick);
   void hand_out(const Tick& tick);

@@ -12,8 +12,8 @@
 
 #include "app/ui/state/changes.h"
 #include "app/ui/state/scene_state.h"
-#include "app/ui/widget/described_field.h"
 #include "app/ui/widget/parameter_rows.h"
+#include "app/ui/widget/part_choice.h"
 #include "app/ui/widget/shown_axis.h"
 #include "app/ui/widget/sliders.h"
 #include "app/ui/widget/widgets.h"
@@ -25,7 +25,6 @@ namespace hapticwall::ui {
 namespace {
 
 constexpr const char* kSubstepsKey = "simulator.substeps";
-constexpr const char* kEstimatorKey = "estimator.name";
 
 void draw_rate(const PanelContext& context) {
   const Scene& scene = context.session.scene();
@@ -134,39 +133,13 @@ void draw_substeps(const PanelContext& context) {
 }
 
 void draw_estimator_choice(const PanelContext& context) {
-  const std::size_t chosen = context.session.scene().estimator.index;
-  ImGui::SetNextItemWidth(-1.0F);
-  const std::string shown(estimators()[chosen].description.name);
-  if (ImGui::BeginCombo("##estimator", shown.c_str())) {
-    for (std::size_t i = 0; i < estimators().size(); ++i) {
-      const EstimatorDescription& one = estimators()[i].description;
-      const std::string tooltip = fmt::format("{}\n{}\n\n{}", one.title, one.idea, one.equation);
-      if (list_choice(std::string(one.name), i == chosen, tooltip) && i != chosen) {
-        change_parameters(context, kEstimatorKey, [&](Scene& scene) { scene.estimator.index = i; });
-      }
-    }
-    ImGui::EndCombo();
-  }
-  explain(
+  const PartChoice part{
+      "estimator", estimators(), estimator_parameters(), &Scene::estimator,
       "Velocity from the measured positions, for the dampers of walls and for the algorithms that "
-      "take a velocity. Changes during the session.");
-  draw_refusal(context, kEstimatorKey);
-}
-
-void draw_estimator_parameters(const PanelContext& context) {
-  const EstimatorSettings& settings = context.session.scene().estimator;
-  const auto all = estimator_parameters();
-  for (const ParameterDescription& parameter :
-       estimators()[settings.index].description.parameters) {
-    const auto found = std::ranges::find(all, parameter.key, &ParameterDescription::key);
-    const auto index = static_cast<std::size_t>(found - all.begin());
-    const std::string key = fmt::format("estimator.{}", parameter.key);
-    draw_described_field(
-        context, {key, parameter, settings.values.at(index)}, [&](std::optional<double> value) {
-          change_parameters(context, key,
-                            [&](Scene& scene) { scene.estimator.values.at(index) = value; });
-        });
-  }
+      "take a velocity. Changes during the session."};
+  draw_part_menu(context, part,
+                 [](Scene& scene, std::size_t index) { scene.estimator.index = index; });
+  draw_part_fields(context, part);
 }
 
 // Numbers that follow from the parameters, and the delay of a linear estimator.
@@ -236,7 +209,6 @@ void draw_loop_section(const PanelContext& context) {
   }
   draw_departures(context, simulated);
   draw_estimator_choice(context);
-  draw_estimator_parameters(context);
   draw_estimator_numbers(context);
   draw_cost(context);
   if (simulated) draw_balance(context);

@@ -8,9 +8,11 @@
 
 #include "app/ui/panel/sections.h"
 #include "app/ui/state/changes.h"
+#include "app/ui/widget/part_choice.h"
 #include "app/ui/widget/shown_axis.h"
 #include "app/ui/widget/sliders.h"
 #include "app/ui/widget/widgets.h"
+#include "core/environment/environment.h"
 #include "core/study/stability_bounds.h"
 #include "core/units.h"
 
@@ -130,10 +132,26 @@ void draw_bounds(const PanelContext& context, const WallSettings& wall) {
              "K < F_max / Δ, in N/m: one count uses the whole force.");
 }
 
+// Another environment takes the place of the walls; Undo brings them back.
+void draw_environment(const PanelContext& context) {
+  const PartChoice part{
+      "environment", environments(), environment_parameters(), &Scene::environment,
+      "What the handle touches. Another one than walls takes their place on all axes; Undo brings "
+      "the walls back. Changes during the session."};
+  draw_part_menu(context, part, [](Scene& scene, std::size_t index) {
+    scene.environment.index = index;
+    for (AxisSettings& axis : scene.axes) axis.walls.clear();
+  });
+  draw_part_fields(context, part);
+}
+
 }  // namespace
 
 void draw_wall_section(const PanelContext& context) {
-  section(context, "Wall", asked_for(context).walls);
+  const AskedFor asked = asked_for(context);
+  section(context, "Wall", asked.walls || asked.environment);
+  draw_environment(context);
+  if (!context.session.scene().environment.is_walls()) return;
   draw_axis_choice(context, "wall");
   if (context.session.scene().two_axes()) ImGui::NewLine();
   const std::vector<WallSettings>& walls = shown_walls(context);

@@ -7,6 +7,7 @@
 
 #include "app/file/text/text.h"
 #include "core/algorithm/algorithm.h"
+#include "core/environment/environment.h"
 #include "core/estimator/estimator.h"
 #include "core/scene_keys.h"
 
@@ -15,7 +16,8 @@ namespace {
 
 using Values = std::vector<std::pair<std::string, std::string>>;  // key, value as shown
 
-// All values that may change during a session, except the names of estimator and integrator, in a
+// All values that may change during a session, except the names of environment, estimator and
+// integrator, in a
 // fixed order.
 Values values_of(const Scene& scene) {
   Values values;
@@ -35,6 +37,13 @@ Values values_of(const Scene& scene) {
                         value ? value_text(parameters[i], *value) : kAbsent);
   }
   return values;
+}
+
+std::string_view environment_name(const Scene& scene) {
+  return environments()[scene.environment.index].description.name;
+}
+std::string_view estimator_name(const Scene& scene) {
+  return estimators()[scene.estimator.index].description.name;
 }
 
 // A comma before three digits may separate thousands.
@@ -59,12 +68,12 @@ std::vector<std::string> changed_values(const Scene& running, const Scene& loade
     lines.push_back(
         fmt::format("{} = {}, in the scene {}", now[i].first, now[i].second, then[i].second));
   }
-  if (running.estimator.index != back.estimator.index) {
-    const auto name = [](const Scene& scene) {
-      return estimators()[scene.estimator.index].description.name;
-    };
-    lines.push_back(fmt::format("estimator: {}, in the scene {}", name(running), name(back)));
-  }
+  if (running.environment.index != back.environment.index)
+    lines.push_back(fmt::format("environment: {}, in the scene {}", environment_name(running),
+                                environment_name(back)));
+  if (running.estimator.index != back.estimator.index)
+    lines.push_back(fmt::format("estimator: {}, in the scene {}", estimator_name(running),
+                                estimator_name(back)));
   if (running.simulator != back.simulator) {
     const auto words = [](const SimulatorSettings& simulator) {
       return fmt::format("{} × {}", simulator.integrator_name(), simulator.substeps);
@@ -84,7 +93,13 @@ Scene with_loaded_values(const Scene& running, const Scene& loaded) {
     scene.x().hand->path = running.x().hand->path;
     scene.x().hand->follows_mouse = running.x().hand->follows_mouse;
   }
-  if (loaded.x().walls.size() == running.x().walls.size()) scene.x().walls = loaded.x().walls;
+  if (loaded.environment.index != running.environment.index) {
+    for (std::size_t i = 0; i < scene.axes.size(); ++i)
+      scene.axes[i].walls = loaded.axes.at(i).walls;
+  } else if (loaded.x().walls.size() == running.x().walls.size()) {
+    scene.x().walls = loaded.x().walls;
+  }
+  scene.environment = loaded.environment;
   scene.algorithm.values = loaded.algorithm.values;
   scene.estimator = loaded.estimator;
   scene.sampling = loaded.sampling.with_clock_of(running.sampling);

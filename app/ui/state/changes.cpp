@@ -54,6 +54,7 @@ AskedFor asked_for(const PanelContext& context) {
   const Scene& in_force = *context.shows.in_force;
   AskedFor differs;
   differs.algorithm = asked.algorithm != in_force.algorithm;
+  differs.environment = asked.environment != in_force.environment;
   differs.estimator = asked.estimator != in_force.estimator;
   differs.simulator = asked.simulator != in_force.simulator || asked.sampling != in_force.sampling;
   for (std::size_t i = 0; i < std::min(asked.axes.size(), in_force.axes.size()); ++i) {

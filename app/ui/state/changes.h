@@ -23,6 +23,7 @@ struct AskedFor {
   bool hand = false;
   bool device = false;
   bool simulator = false;
+  bool environment = false;
   bool estimator = false;
 };
 [[nodiscard]] AskedFor asked_for(const PanelContext& context);

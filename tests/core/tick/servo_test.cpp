@@ -189,12 +189,11 @@ TEST(ServoStep, ClampsAPullAsItClampsAPush) {
   for (const double wanted_n : {-100.0, -8.9, -3.0, 0.0, 3.5, 100.0}) {
     ServoState state;
     double borrowed_n = wanted_n;
-    FollowedAlgorithm algorithm;
-    algorithm.borrow({&kConstantForce, &borrowed_n});
+    TickParts parts;
+    parts.algorithm.borrow({&kConstantForce, &borrowed_n});
     ScriptedDevice device;
     device.next.position_m = 1e-4;  // the wall asks for 3.5 N
-    ActiveEstimator estimator;
-    const TickOutcome out = servo_step(stiff_wall(), state, estimator, algorithm, device);
+    const TickOutcome out = servo_step(stiff_wall(), state, parts, device);
     EXPECT_EQ(device.forces.back(), std::clamp(wanted_n, -8.9, 8.9));
     EXPECT_EQ(out.saturated, std::abs(wanted_n) > 8.9) << wanted_n;
     EXPECT_EQ(out.intervened, wanted_n != out.contact.force_n) << wanted_n;
