@@ -11,6 +11,8 @@
 
 #include "app/file/plugin/plugin_file.h"
 #include "app/file/text/text.h"
+#include "app/python/environment.h"
+#include "app/python/heard_call.h"
 #include "app/python/interruptible.h"
 #include "core/algorithm/algorithm.h"
 #include "core/algorithm/plugin/include/hapticwall/plugin.h"
@@ -18,27 +20,6 @@
 
 namespace hapticwall::python {
 namespace {
-
-enum class Calling : std::uint8_t { kNothing, kLaw, kLawThatRaised };
-
-// Call that this thread is in. The fast model of thread-local storage: one load a tick.
-#if defined(__GNUC__)
-__attribute__((tls_model("initial-exec")))
-#endif
-constinit thread_local Calling calling = Calling::kNothing;
-
-// Ends in PluginAlgorithm, which takes NaN for the force.
-struct LawRaised : std::exception {};
-
-// Calls a function of the law. ctypes and numba print an exception and return 0; note_raised()
-// hears of it.
-template <typename Call>
-auto heard(const Call& call) {
-  calling = Calling::kLaw;
-  const auto result = call();
-  if (std::exchange(calling, Calling::kNothing) == Calling::kLawThatRaised) throw LawRaised();
-  return result;
-}
 
 // A law in the list of algorithms, which points to its texts for ever.
 struct Slot {
@@ -72,19 +53,11 @@ double step_of(void* state, const hw_input* input, double* signals) {
 }
 template <std::size_t kSlot>
 void configure_of(void* state, const hw_context* context) {
-  if (functions[kSlot].configure == nullptr) return;
-  heard([&] {
-    functions[kSlot].configure(state, context);
-    return true;
-  });
+  heard_if_given(functions[kSlot].configure, state, context);
 }
 template <std::size_t kSlot>
 void reset_of(void* state) {
-  if (functions[kSlot].reset == nullptr) return;
-  heard([&] {
-    functions[kSlot].reset(state);
-    return true;
-  });
+  heard_if_given(functions[kSlot].reset, state);
 }
 
 template <std::size_t... kSlot>
@@ -105,10 +78,7 @@ Functions functions_of(const Law& law) {
 std::unique_ptr<Slot> slot_of(const Law& law, const Functions& calls) {
   auto slot = std::make_unique<Slot>();
   slot->law = law;
-  for (const LawParameter& parameter : slot->law.parameters) {
-    slot->parameters.push_back({parameter.key.c_str(), parameter.unit.c_str(), parameter.minimum,
-                                parameter.maximum, parameter.fallback, parameter.meaning.c_str()});
-  }
+  slot->parameters = c_parameters(slot->law.parameters);
   slot->plugin = {HAPTICWALL_PLUGIN_ABI,
                   sizeof(hw_plugin),
                   law.state_bytes,
@@ -130,11 +100,6 @@ std::unique_ptr<Slot> slot_of(const Law& law, const Functions& calls) {
   raise(usage_error(fmt::format("algorithm {}: {}", file::in_quotes(law.name), problem)));
 }
 
-void refuse_while_running() {
-  if (RunningMark::count() > 0)
-    throw std::runtime_error("a run is in progress; register algorithms before or after it");
-}
-
 void check_state(const Law& law) {
   if (law.state_bytes > kMaxPluginStateBytes)
     refuse(law, fmt::format("a state of {} bytes; it takes at most {}", law.state_bytes,
@@ -153,6 +118,20 @@ std::size_t replace(std::size_t index, const Law& law) {
 }
 
 }  // namespace
+
+std::vector<hw_parameter> c_parameters(const std::vector<LawParameter>& parameters) {
+  std::vector<hw_parameter> all;
+  for (const LawParameter& parameter : parameters) {
+    all.push_back({parameter.key.c_str(), parameter.unit.c_str(), parameter.minimum,
+                   parameter.maximum, parameter.fallback, parameter.meaning.c_str()});
+  }
+  return all;
+}
+
+void refuse_while_running() {
+  if (RunningMark::count() > 0)
+    throw std::runtime_error("a run is in progress; register functions before or after it");
+}
 
 bool operator==(const LawParameter& a, const LawParameter& b) {
   const bool same_fallback =
@@ -190,6 +169,10 @@ std::size_t algorithm_index(const std::string& name_or_path) {
                                 file::suggestion(name_or_path, names), file::joined(names))));
 }
 
+bool scene_takes_lock(const Scene& scene) {
+  return takes_lock(scene.algorithm.index) || environment_takes_lock(scene.environment.index);
+}
+
 bool takes_lock(std::size_t algorithm) {
   const Slots& kept = slots();
   for (std::size_t i = 0; i < kept.count; ++i) {
@@ -200,7 +183,7 @@ bool takes_lock(std::size_t algorithm) {
 
 bool note_raised() {
   if (calling == Calling::kNothing) return false;
-  calling = Calling::kLawThatRaised;
+  calling = Calling::kFunctionThatRaised;
   return true;
 }
 

@@ -6,6 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "core/algorithm/plugin/include/hapticwall/plugin.h"
+#include "core/scene.h"
+
 namespace hapticwall::python {
 
 // Fields as in hw_parameter; NaN as fallback lets configure() choose.
@@ -46,6 +49,13 @@ std::size_t add_law(const Law& law);
 
 // True if the algorithm's step() takes the interpreter's lock.
 [[nodiscard]] bool takes_lock(std::size_t algorithm);
+// The same for the algorithm or the environment of a scene.
+[[nodiscard]] bool scene_takes_lock(const Scene& scene);
+
+// The parameters as a plug-in has them; they point into `parameters`.
+[[nodiscard]] std::vector<hw_parameter> c_parameters(const std::vector<LawParameter>& parameters);
+// Raises RuntimeError during a run.
+void refuse_while_running();
 
 // Called where Python reports an exception that nobody can catch. True if a law of this thread
 // raised it: the law's force is then NaN, and the law is not called again in this run.

@@ -18,6 +18,7 @@
 #include "app/file/text/text.h"
 #include "app/python/scene.h"
 #include "core/algorithm/algorithm.h"
+#include "core/environment/environment.h"
 #include "core/estimator/estimator.h"
 #include "core/scene_keys.h"
 #include "hapticwall_version.h"
@@ -78,7 +79,8 @@ void add_parameters(KeyDicts& dicts, std::string_view table,
     dicts.append(parameter_dict(std::string(table).append(parameter.key), parameter));
 }
 
-// Numbers outside of [algorithm] and [estimator], whose tables have more than numbers.
+// Numbers outside of [environment], [algorithm] and [estimator], whose tables have more than
+// numbers.
 void add_numbers(KeyDicts& dicts, const Scene& scene) {
   visit_scene_numbers(scene, [&](const NumberPath& path, const auto& key, const auto& owner) {
     using Owner = std::remove_cvref_t<decltype(owner)>;
@@ -91,17 +93,24 @@ void add_numbers(KeyDicts& dicts, const Scene& scene) {
   });
 }
 
+// `list`: of environments or estimators; the first one is the default.
+template <class List>
+void add_named(KeyDicts& dicts, const std::string& table, const List& list,
+               std::span<const ParameterDescription> parameters) {
+  std::vector<std::string_view> names;
+  for (const auto& one : list) names.push_back(one.description.name);
+  dicts.append(choice_dict(table + ".name", names, names.front()));
+  add_parameters(dicts, table + ".", parameters);
+}
+
 KeyDicts keys_of(const Scene& scene) {
   KeyDicts dicts;
   add_numbers(dicts, scene);
+  add_named(dicts, "environment", environments(), environment_parameters());
   const auto algorithm_names = file::names_of(algorithms(), &AlgorithmDescription::name);
   dicts.append(choice_dict("algorithm.name", algorithm_names, algorithm_names.front()));
   add_parameters(dicts, "algorithm.", algorithm_parameters());
-  std::vector<std::string_view> estimator_names;
-  for (const Estimator& estimator : estimators())
-    estimator_names.push_back(estimator.description.name);
-  dicts.append(choice_dict("estimator.name", estimator_names, estimator_names.front()));
-  add_parameters(dicts, "estimator.", estimator_parameters());
+  add_named(dicts, "estimator", estimators(), estimator_parameters());
   const SimulatorSettings simulator;
   dicts.append(choice_dict("simulator.integrator",
                            {kIntegratorNames.begin(), kIntegratorNames.end()},

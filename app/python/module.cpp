@@ -9,6 +9,7 @@
 #include <nanobind/stl/vector.h>
 
 #include "app/file/text/text.h"
+#include "app/python/environment.h"
 #include "app/python/law.h"
 #include "app/python/listing.h"
 #include "app/python/named_study.h"
@@ -121,6 +122,7 @@ NB_MODULE(_core, m) {
   bind_scene(m);
   bind_rows(m);
   bind_laws(m);
+  bind_environments(m);
   bind_session(m);
   bind_listing(m);
   bind_studies(m);

@@ -71,9 +71,9 @@ study::Choices choices_of(const study::Study& study, const std::vector<Choice>& 
 }
 
 // A law in Python would make the threads wait for each other.
-int threads_for(const std::vector<std::size_t>& used, int threads) {
+int threads_for(const Scene& scene, const std::vector<std::size_t>& used, int threads) {
   if (threads < 0) raise(usage_error("threads: 0 or more"));
-  return std::ranges::any_of(used, takes_lock) ? 1 : threads;
+  return scene_takes_lock(scene) || std::ranges::any_of(used, takes_lock) ? 1 : threads;
 }
 std::vector<std::size_t> all_algorithms() {
   std::vector<std::size_t> all(algorithms().size());
@@ -88,7 +88,8 @@ std::string study_json(const SceneBox& box, const std::string& name,
   const study::Choices choices = choices_of(study, given);
   const study::Run run = value_or_raise(study.plan(scene, choices));
   const int used = threads_for(
-      study.of_all_algorithms ? all_algorithms() : std::vector{scene.algorithm.index}, threads);
+      scene, study.of_all_algorithms ? all_algorithms() : std::vector{scene.algorithm.index},
+      threads);
   const auto outcome = interruptibly([&](const StopQuestion& should_stop) {
     return run(
         {.threads = used, .should_stop = should_stop, .progress = {}, .now_ns = processor_time_ns});
@@ -143,7 +144,7 @@ BoundaryPlan plan_of(const SceneBox& box, const BoundaryText& text) {
 
 std::string boundary_json(const SceneBox& box, const BoundaryText& text, int threads) {
   const BoundaryPlan plan = plan_of(box, text);
-  const int used = threads_for(plan.algorithms, threads);
+  const int used = threads_for(plan.scene, plan.algorithms, threads);
   const auto found = interruptibly([&](const StopQuestion& should_stop) {
     return find_boundaries(plan, {.threads = used, .should_stop = should_stop, .progress = {}});
   });

@@ -8,7 +8,9 @@
 #include <algorithm>
 #include <cstring>
 #include <memory>
+#include <set>
 #include <span>
+#include <string_view>
 #include <tuple>
 #include <type_traits>
 
@@ -16,6 +18,7 @@
 #include "app/python/interruptible.h"
 #include "core/algorithm/algorithm.h"
 #include "core/algorithm/plugin/plugin_list.h"
+#include "core/environment/environment.h"
 
 namespace nb = nanobind;
 
@@ -153,6 +156,22 @@ std::vector<std::size_t> algorithms_of(const SceneBox& box) {
   return indices;
 }
 
+// Names of the environment, and of those that brought a key which the scene sets.
+std::vector<std::string> environments_of(const SceneBox& box) {
+  const EnvironmentSettings& settings = box.loaded().scene.environment;
+  const EnvironmentContext context{.settings = &settings};
+  std::vector<std::string> names;
+  std::set<std::string_view> known;  // keys of those before
+  for (std::size_t i = 0; i < environments().size(); ++i) {
+    const EnvironmentDescription& one = environments()[i].description;
+    bool brings = i == settings.index;
+    for (const ParameterDescription& parameter : one.parameters)
+      brings = (known.insert(parameter.key).second && context.value(parameter.key)) || brings;
+    if (brings) names.emplace_back(one.name);
+  }
+  return names;
+}
+
 void bind_scene_state(nb::class_<SceneBox>& scene, nb::module_& m) {
   nb::class_<PathState>(m, "PathState")
       .def("__getstate__",
@@ -178,7 +197,8 @@ void bind_scene_state(nb::class_<SceneBox>& scene, nb::module_& m) {
                   })
       .def_static("of_text", &scene_of_text)
       .def("equal", &equal)
-      .def("algorithms", &algorithms_of);
+      .def("algorithms", &algorithms_of)
+      .def("environments", &environments_of);
   m.def("plugin_file", [](std::size_t algorithm) {
     const file::PluginFile* const found = file::plugin_file(algorithm);
     return found == nullptr ? std::pair(std::string(), std::string())

@@ -18,61 +18,29 @@
 namespace nb = nanobind;
 
 namespace hapticwall::python {
-namespace {
-
-TickStats stats_of(const Sample& sample) {
-  return {sample.truth.position_m,
-          sample.truth.velocity_m_per_s,
-          sample.truth.actuator_work_j + sample.truth.dissipation_j,
-          sample.penetration_m,
-          sample.force_n,
-          (sample.flags & kFlagInContact) != 0,
-          (sample.flags & kFlagForceLimit) != 0};
-}
-
-double net_work_j(const PlantTruth& truth) {
-  return truth.actuator_work_j + truth.dissipation_j + truth.kinetic_j;
-}
-
-}  // namespace
-
 SessionBox::SessionBox(const SceneBox& scene) : scene_(scene) {
   mark_.emplace();
   const Scene& whole = scene_of_study(scene);
   refuse_pointer(whole);
-  axes_.reserve(whole.axes.size());
-  for (std::size_t i = 0; i < whole.axes.size(); ++i) axes_.emplace_back(axis_scene(whole, i));
+  axes_.emplace(whole);
 }
 
-void SessionBox::pass_tick(Axis& axis, double hand_force_n) {
-  PlantModel& plant = axis.stepped.plant();
-  plant.push_hand(hand_force_n);
-  axis.pushed = axis.pushed || hand_force_n != 0.0;
-  const Sample* sample = axis.stepped.compute();
-  if (sample == nullptr) {
-    throw std::runtime_error("the run diverged at tick " + std::to_string(axis.stepped.tick()) +
-                             "; there is no further tick");
-  }
-  axis.sample = *sample;
-  axis.metrics.add(sample->tick, stats_of(*sample), ledger_of(*sample));
-  axis.stepped.advance();
-  axis.metrics.add_net_work(net_work_j(plant.truth()));
+void SessionBox::refuse_tick() const {
+  throw std::runtime_error("the run diverged at tick " + std::to_string(tick()) +
+                           "; there is no further tick");
 }
 
 const Sample& SessionBox::step(double hand_force_n, double hand_force_y_n) {
   if (!mark_) throw std::runtime_error("the session is closed");
   if (!std::isfinite(hand_force_n) || !std::isfinite(hand_force_y_n))
     throw std::invalid_argument("a force of the hand is a finite number of newtons");
-  if (axes_.size() == 1 && hand_force_y_n != 0.0)
+  if (axes_->count() == 1 && hand_force_y_n != 0.0)
     throw std::invalid_argument("this scene has no second axis");
-  for (const Axis& axis : axes_) {
-    if (!axis.stepped.diverged()) continue;
-    throw std::runtime_error("the run diverged at tick " + std::to_string(axis.stepped.tick()) +
-                             "; there is no further tick");
-  }
-  pass_tick(axes_.front(), hand_force_n);
-  if (axes_.size() > 1) pass_tick(axes_.back(), hand_force_y_n);
-  return axes_.front().sample;
+  if (diverged()) refuse_tick();
+  axes_->push_hand(0, hand_force_n);
+  if (axes_->count() > 1) axes_->push_hand(1, hand_force_y_n);
+  if (!axes_->pass_tick()) refuse_tick();
+  return axes_->sample(0);
 }
 
 void SessionBox::set(const Settings& settings) {
@@ -80,7 +48,7 @@ void SessionBox::set(const Settings& settings) {
   const Scene& wanted = changed.loaded().scene;
   if (const auto problem = session::needs_new_session(scene_.loaded().scene, wanted))
     throw std::invalid_argument(problem->key + ": " + problem->message);
-  for (std::size_t i = 0; i < axes_.size(); ++i) axes_[i].stepped.change(axis_scene(wanted, i));
+  axes_->change(wanted);
   scene_ = changed;
 }
 
@@ -88,41 +56,22 @@ double SessionBox::time_s() const {
   return static_cast<double>(tick()) / scene_.loaded().scene.sampling.rate_hz;
 }
 
-const SessionBox::Axis& SessionBox::axis(std::size_t index) const {
-  if (index >= axes_.size()) throw std::invalid_argument("this scene has no second axis");
-  return axes_[index];
+std::size_t SessionBox::checked(std::size_t axis) const {
+  if (axis >= axes_->count()) throw std::invalid_argument("this scene has no second axis");
+  return axis;
 }
-double SessionBox::position_m(std::size_t index) const {
-  return axis(index).stepped.plant().measured_position_m();
+double SessionBox::position_m(std::size_t axis) const {
+  return axes().plant(checked(axis)).measured_position_m();
 }
-const Sample& SessionBox::sample(std::size_t index) const { return axis(index).sample; }
-
-bool SessionBox::diverged() const {
-  for (const Axis& axis : axes_) {
-    if (axis.stepped.diverged()) return true;
-  }
-  return false;
-}
-
-Summary SessionBox::summary_of(const Axis& axis) const {
-  const Scene& scene = axis.stepped.scene();
-  const PlantTruth& truth = axis.stepped.plant().truth();
-  const auto energies = plant_energies(truth.actuator_work_j, truth.dissipation_j,
-                                       truth.hand_work_j, truth.kinetic_j);
-  const std::uint64_t ticks = axis.stepped.tick();
-  RunEnd end{ticks, std::nullopt, false};
-  if (axis.stepped.diverged()) end.diverged_at_tick = ticks;
-  const std::uint64_t planned = scene.tick_count();
-  end.hand_rests =
-      !axis.pushed && hand_rests(scene, tail_begin_tick(planned, scene.sampling.rate_hz), planned);
-  return summarise(scene, axis.metrics.stats(), ledger_of(axis.sample), energies, end);
-}
+const Sample& SessionBox::sample(std::size_t axis) const { return axes().sample(checked(axis)); }
 
 RunSummary SessionBox::summary() const {
   RunSummary run;
-  for (const Axis& axis : axes_) run.push_back(summary_of(axis));
+  for (std::size_t i = 0; i < axes().count(); ++i) run.push_back(axes().summary(i));
   return run;
 }
+
+namespace {
 
 void bind_sample(nb::module_& m) {
   nb::class_<Sample> sample(m, "Sample");
@@ -139,6 +88,8 @@ void bind_sample(nb::module_& m) {
         column.member);
   }
 }
+
+}  // namespace
 
 void bind_session(nb::module_& m) {
   bind_sample(m);

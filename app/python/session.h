@@ -6,12 +6,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <vector>
 
 #include "app/python/interruptible.h"
 #include "app/python/scene.h"
-#include "core/run/metrics.h"
-#include "core/run/stepped_axis.h"
+#include "core/run/measured_axes.h"
 #include "core/summary.h"
 
 namespace hapticwall::python {
@@ -33,32 +31,23 @@ class SessionBox {
   void close() { mark_.reset(); }
 
   // The next tick, and the position that its controller will read. `axis` is checked.
-  [[nodiscard]] std::uint64_t tick() const { return axes_.front().stepped.tick(); }
+  [[nodiscard]] std::uint64_t tick() const { return axes().tick(); }
   [[nodiscard]] double time_s() const;
   [[nodiscard]] double position_m(std::size_t axis) const;
   [[nodiscard]] const Sample& sample(std::size_t axis) const;
-  [[nodiscard]] bool diverged() const;
+  [[nodiscard]] bool diverged() const { return axes().diverged(); }
   [[nodiscard]] const SceneBox& scene() const { return scene_; }
   // Of the ticks so far, as a run that ends here.
   [[nodiscard]] RunSummary summary() const;
 
  private:
-  struct Axis {
-    explicit Axis(const Scene& scene) : stepped(scene), metrics(tick_metrics(scene)) {}
-
-    SteppedAxis stepped;
-    TickMetrics metrics;
-    Sample sample;
-    bool pushed = false;  // ever
-  };
-
-  void pass_tick(Axis& axis, double hand_force_n);
-  [[nodiscard]] const Axis& axis(std::size_t index) const;
-  [[nodiscard]] Summary summary_of(const Axis& axis) const;
+  [[nodiscard]] const MeasuredAxes& axes() const { return *axes_; }
+  [[nodiscard]] std::size_t checked(std::size_t axis) const;
+  [[noreturn]] void refuse_tick() const;
 
   std::optional<RunningMark> mark_;  // until close()
   SceneBox scene_;
-  std::vector<Axis> axes_;
+  std::optional<MeasuredAxes> axes_;  // never empty once built
 };
 
 void bind_session(nanobind::module_& m);

@@ -37,8 +37,7 @@ std::vector<RunSummary> run_axes(const std::vector<Scene>& scenes, int threads) 
   for (const Scene& scene : scenes) {
     if (!scene.two_axes()) of_one_axis.push_back(scene);
   }
-  const bool locks = std::ranges::any_of(
-      scenes, [](const Scene& scene) { return takes_lock(scene.algorithm.index); });
+  const bool locks = std::ranges::any_of(scenes, scene_takes_lock);
   return interruptibly([&](const StopQuestion& should_stop) {
     std::vector<Summary> summaries = run_scenes(of_one_axis, locks ? 1 : threads, should_stop);
     std::vector<RunSummary> runs;
@@ -145,7 +144,8 @@ Failure cell_problem(const Grid& grid, const StopQuestion& should_stop) {
 Result<std::vector<NumberColumn>> run_cells(const Grid& grid, int threads,
                                             const StopQuestion& should_stop) {
   if (const Failure problem = cell_problem(grid, should_stop)) return *problem;
-  const bool locks = std::ranges::any_of(grid.algorithms, takes_lock);
+  const bool locks =
+      scene_takes_lock(grid.scene) || std::ranges::any_of(grid.algorithms, takes_lock);
   std::vector<NumberColumn> columns = number_columns(grid.size());
   for (std::size_t done = 0; done < grid.size() && !should_stop();) {
     const std::vector<Summary> more =

@@ -72,7 +72,7 @@ void add_hand(HandDict& dict, const Found& found, const worst_hand::Plan& plan) 
 
 HandDict search_hand(const SceneBox& box, const HandSearch& search) {
   const worst_hand::Plan plan = plan_of(box, search);
-  const int threads = takes_lock(plan.scene.algorithm.index) ? 1 : search.threads;
+  const int threads = scene_takes_lock(plan.scene) ? 1 : search.threads;
   const std::optional<Found> found = interruptibly([&](const StopQuestion& should_stop) {
     return worst_hand::search(
         plan, {.threads = threads, .should_stop = should_stop, .time_is_up = {}, .progress = {}});

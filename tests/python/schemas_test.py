@@ -167,12 +167,13 @@ PLAIN = {
     "device": {**DEVICE, "y": DEVICE},
     "hand": {**HAND, "y": HAND},
     "wall": [{"position_m": 0.05, "stiffness_n_per_m": 1000.0}],
-    "sampling": {}, "algorithm": {}, "estimator": {}, "simulator": {},
+    "sampling": {}, "environment": {}, "algorithm": {}, "estimator": {}, "simulator": {},
 }  # fmt: skip
 TABLES = {
     (): (), ("sampling",): ("sampling",), ("device",): ("$defs", "device"), ("device", "y"): ("$defs", "device"),
     ("hand",): ("$defs", "hand"), ("hand", "y"): ("$defs", "hand"), ("wall", 0): ("$defs", "wall"),
-    ("algorithm",): ("algorithm",), ("estimator",): ("estimator",), ("simulator",): ("simulator",),
+    ("environment",): ("environment",), ("algorithm",): ("algorithm",), ("estimator",): ("estimator",),
+    ("simulator",): ("simulator",),
 }  # fmt: skip
 
 
@@ -258,6 +259,7 @@ def test_a_table_has_the_keys_of_the_program(tmp_path, table):
         (("device", "mass_kg"), ...), (("device", "y", "damping_n_s_per_m"), ...), (("wall", 0, "position_m"), ...),
         (("wall", 0, "axis"), "z"), (("wall",), {}), (("device",), 3), (("device",), ...), (("algorithm", "then"), "none2"),
         (("algorithm", "observer"), "other"), (("algorithm", "damping_credit"), 1), (("estimator", "name"), "other"),
+        (("environment", "name"), "detents"), (("algorithm", "form"), "other"),
         (("simulator", "integrator"), "other"), (("hand", "path"), "mousse"), (("hand", "path"), [[0.0]]),
         (("hand", "path"), []), (("hand", "path"), ...), (("hand", "path_file"), "a.csv"), (("name",), 3), (("name",), "a" * 101), (("name",), "a\nb"), (("description",), "a" * 3001),
     ],

@@ -5,7 +5,7 @@ import pytest
 
 import hapticwall as hw
 
-SCENES = ["press", "tap", "light", "layers", "golden-soft", "golden-soft-fric", "golden-hard"]
+SCENES = ["press", "tap", "light", "layers", "golden-soft", "golden-soft-fric", "golden-hard", "tissue", "detents", "mass"]
 
 
 def rows_of(session, ticks, force=lambda session: 0.0):
@@ -31,9 +31,10 @@ def test_without_a_force_every_tick_is_that_of_a_run(scene, law):
         assert {key: value for key, value in session.summary.items() if key not in pace} == expected
 
 
-def test_two_axes_are_those_of_a_run():
-    run = hw.run("corner", "energy-bounding")
-    with hw.Session("corner", "energy-bounding") as session:
+@pytest.mark.parametrize("scene", ["corner", "bump"])
+def test_two_axes_are_those_of_a_run(scene):
+    run = hw.run(scene, "energy-bounding")
+    with hw.Session(scene, "energy-bounding") as session:
         for row in run.samples:
             sample = session.step()
             assert (sample.force_n, session.sample_y.force_n) == (row["force_n"], row["y_force_n"])

@@ -4,9 +4,18 @@ SI units throughout. docs/python.md shows every function at work.
 """
 
 from hapticwall import _core
+from hapticwall._environment import (
+    Environment,
+    EnvironmentContext,
+    Motion,
+    environment,
+    environments,
+    load_environment,
+)
 from hapticwall._executor import Unfinished
+from hapticwall._functions import Parameter
 from hapticwall._keys import Key, keys, scenes
-from hapticwall._law import Algorithm, Context, Input, LawError, Parameter, Wall, algorithm, algorithms
+from hapticwall._law import Algorithm, Context, Input, LawError, Wall, algorithm, algorithms
 from hapticwall._named_study import Axis, accuracy, boundary, studies, study
 from hapticwall._run import Recording, Run, batch, compare, read, rerun, run
 from hapticwall._scene import Scene, Value, load
@@ -19,10 +28,13 @@ __all__ = [
     "Algorithm",
     "Axis",
     "Context",
+    "Environment",
+    "EnvironmentContext",
     "Input",
     "Key",
     "LawError",
     "Map",
+    "Motion",
     "Parameter",
     "Recording",
     "Run",
@@ -39,8 +51,11 @@ __all__ = [
     "batch",
     "boundary",
     "compare",
+    "environment",
+    "environments",
     "keys",
     "load",
+    "load_environment",
     "map",
     "read",
     "rerun",

@@ -8,9 +8,10 @@ import threading
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
-from typing import Any, TypeAlias, TypeVar
+from typing import Any, TypeVar
 
 from hapticwall import _core
+from hapticwall._functions import Function, Functions, Parameter, Signature, one, takes_lock
 from hapticwall._path import Path, name_or_file
 
 
@@ -51,26 +52,7 @@ class Input(ctypes.Structure):
     ]
 
 
-_Callback: Any = ctypes.CFUNCTYPE(None).__mro__[-2]  # of all ctypes callbacks, without a public name
-
 _Result = TypeVar("_Result")
-
-# A function of a law: an address, an object with one (numba's @cfunc), a ctypes callback, or a
-# Python function.
-Function: TypeAlias = int | Callable[[Any, Any], Any] | Any
-
-
-@dataclass(frozen=True)
-class Parameter:
-    """A key of [algorithm]. Without a fallback configure() gets NaN and chooses."""
-
-    key: str
-    unit: str = ""
-    minimum: float = 0.0
-    maximum: float = 1e6
-    fallback: float = float("nan")
-    meaning: str = ""
-
 
 @dataclass(frozen=True)
 class Algorithm:
@@ -118,14 +100,8 @@ def given(name: str) -> Given | None:
 
 
 # By the name of a law: what its addresses belong to.
-_kept: dict[str, _Functions] = {}
+_kept: dict[str, Functions] = {}
 _indices: dict[str, int] = {}
-
-
-def _one(kind: type) -> Any:
-    """An array of one, so that an index beyond it is an IndexError. `contents` as of a pointer."""
-    array: Any = kind
-    return type(kind.__name__, (array * 1,), {"contents": property(lambda self: self[0])})
 
 
 def _sized_context(parameters: int) -> type:
@@ -142,62 +118,6 @@ def _sized_context(parameters: int) -> type:
 
     lengths = {"parameters": lambda self: parameters, "walls": lambda self: self.wall_count}
     return type("Context", (Context,), {name: sized(name, length) for name, length in lengths.items()})
-
-
-class _Functions:
-    """The functions of one law as addresses."""
-
-    def __init__(self, state_bytes: int, parameters: int) -> None:
-        self.kept: list[Any] = []  # what the addresses belong to
-        self.state_bytes = state_bytes
-        self.arguments = {"step": _one(Input), "configure": _one(_sized_context(parameters)), "reset": None}
-
-    def address(self, name: str, function: Function) -> int:
-        if function is None or isinstance(function, int):
-            return function or 0
-        self.kept.append(function)
-        address = getattr(function, "address", None)
-        if isinstance(address, int):
-            self._check(name, getattr(function, "ctypes", None))
-            return address
-        callback: Any = function
-        if isinstance(function, _Callback):
-            self._check(name, callback)
-        else:
-            callback = self._of_python(name, callback)
-            self.kept.append(callback)
-        return ctypes.cast(callback, ctypes.c_void_p).value or 0
-
-    def _of_python(self, name: str, function: Callable[..., Any]) -> Any:
-        doubles = self.state_bytes // ctypes.sizeof(ctypes.c_double)
-        # Without a state the host's pointer may be NULL.
-        nothing = None if doubles else (ctypes.c_double * 0)()
-        state_type = ctypes.POINTER(ctypes.c_double * max(doubles, 1))
-        argument = self.arguments[name]
-        if argument is None:
-            return ctypes.CFUNCTYPE(None, state_type)(
-                lambda state: function(state.contents if nothing is None else nothing)
-            )
-        result = ctypes.c_double if name == "step" else None
-        return ctypes.CFUNCTYPE(result, state_type, ctypes.POINTER(argument))(
-            lambda state, other: function(state.contents if nothing is None else nothing, other.contents)
-        )
-
-    def _check(self, name: str, callback: Any) -> None:
-        """What the types of a callback tell. A pointer to doubles does not tell how many."""
-        if not isinstance(callback, _Callback):
-            return
-        if name == "step" and callback.restype is not ctypes.c_double:
-            raise TypeError(f"step must return a double (ctypes.c_double), not {callback.restype}")
-        state = getattr(callback.argtypes[0], "_type_", None) if callback.argtypes else None
-        size = ctypes.sizeof(state) if isinstance(state, type) else 0
-        if size > max(self.state_bytes, ctypes.sizeof(ctypes.c_double)):
-            raise ValueError(f"{name} takes a state of {size} bytes; state_bytes is {self.state_bytes}")
-
-
-def _takes_lock(function: Function) -> bool:
-    """Whether a call takes the interpreter's lock."""
-    return not isinstance(function, int) and not isinstance(getattr(function, "address", None), int)
 
 
 def algorithm(
@@ -220,13 +140,20 @@ def algorithm(
     with IndexError beyond its end. An algorithm of the same name and parameters is replaced.
     """
     described = [_core.LawParameter(p.key, p.unit, p.minimum, p.maximum, p.fallback, p.meaning) for p in parameters]
-    functions = _Functions(state_bytes, len(described))
+    functions = Functions(
+        state_bytes,
+        {
+            "step": Signature(True, one(Input)),
+            "configure": Signature(False, one(_sized_context(len(described)))),
+            "reset": Signature(False, None),
+        },
+    )
     steps, configures, resets = (
         functions.address(key, function)
         for key, function in (("step", step), ("configure", configure), ("reset", reset))
     )
     texts = (name, title or name, idea or title or name, equation)
-    _core.add_law(*texts, state_bytes, described, steps, configures, resets, _takes_lock(step))
+    _core.add_law(*texts, state_bytes, described, steps, configures, resets, takes_lock(step))
     _kept[name] = functions
     others = dict(
         state_bytes=state_bytes, parameters=list(parameters), title=title, idea=idea, equation=equation

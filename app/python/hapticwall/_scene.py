@@ -11,13 +11,14 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from hapticwall import _core
+from hapticwall._environment import Environment
 from hapticwall._keys import Key, keys_of
 from hapticwall._law import Algorithm, index_of
 from hapticwall._path import Path, name_or_file
-from hapticwall._travel import scene_arrived, traveller_of
+from hapticwall._travel import environment_traveller_of, scene_arrived, traveller_of
 
-# What a key takes: a number, true or false, a word, or the points of a path.
-Value: TypeAlias = float | str | bool | Sequence[Sequence[float]]
+# What a key takes: a number, true or false, a word, an algorithm or environment, or the points of a path.
+Value: TypeAlias = float | str | bool | Algorithm | Environment | Sequence[Sequence[float]]
 
 
 def setting(value: object) -> float | str:
@@ -28,6 +29,8 @@ def setting(value: object) -> float | str:
         return float(value)
     if isinstance(value, str):
         return value
+    if isinstance(value, (Algorithm, Environment)):
+        return value.name
     if isinstance(value, (Sequence, np.ndarray)):
         return repr([[float(number) for number in point] for point in value])
     raise TypeError(f"a key takes a number, a text or [[time_s, position_m], ...], not {value!r}")
@@ -116,10 +119,12 @@ class Scene:
         return type(self)(self._core)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        """With its algorithms. ValueError for a scene or an algorithm that cannot travel."""
+        """With its algorithms and environments. ValueError for one that cannot travel."""
         toml, paths = self._core.state()
         travellers = [traveller_of(index) for index in self._core.algorithms()]
-        return scene_arrived, (type(self), travellers, toml, paths)
+        own = [name for name in self._core.environments() if _core.own_environment(name)]
+        environments = [environment_traveller_of(name) for name in own]
+        return scene_arrived, (type(self), travellers, environments, toml, paths)
 
     def __str__(self) -> str:
         """The scene as a scene file."""

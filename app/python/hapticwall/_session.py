@@ -31,7 +31,13 @@ class Session(_core.Session):
         with heard() as raised:
             super().__init__(core)
         told(raised, None)
-        self._hears = _core.algorithm_index(Scene(core)["algorithm.name"]) >= _core.first_plugin()
+        self._hears = self._has_plugin()
+
+    def _has_plugin(self) -> bool:
+        """Whether a function of one's own may raise."""
+        return any(index >= _core.first_plugin() for index in self.core_scene.algorithms()) or any(
+            _core.own_environment(name) for name in self.core_scene.environments()
+        )
 
     def step(self, hand_force_n: float = 0.0, hand_force_y_n: float = 0.0) -> Sample:
         """One tick, with a force of the hand that is held through it, newtons, positive into the wall.
@@ -68,6 +74,7 @@ class Session(_core.Session):
         """
         with heard() as raised:
             self.change([(key, setting(value))])
+        self._hears = self._has_plugin()
         told(raised, None)
 
     @property

@@ -1,4 +1,4 @@
-"""Algorithms that travel to another process: by name, as a file with its SHA-256, or as importable functions."""
+"""Algorithms and environments that travel to another process: by name, as a file with its SHA-256, or as importable functions."""
 
 from __future__ import annotations
 
@@ -11,7 +11,16 @@ from dataclasses import dataclass
 from typing import Any
 
 from hapticwall import _core
-from hapticwall._law import Algorithm, Function, Given, algorithm, given, index_of
+from hapticwall._environment import (
+    FUNCTIONS,
+    GivenEnvironment,
+    environment,
+    given_environment,
+    load_environment,
+    travelling_functions,
+)
+from hapticwall._functions import Function
+from hapticwall._law import Algorithm, Given, algorithm, given, index_of
 
 # Of two tasks in one process, the second waits for the algorithm of the first.
 _arriving = threading.RLock()
@@ -31,7 +40,7 @@ class Place:
         return found
 
 
-def _place_of(law: str, role: str, function: Function) -> Place | None:
+def _place_of(owner: str, role: str, function: Function) -> Place | None:
     """ValueError for a function that no module defines under its name."""
     if function is None:
         return None
@@ -43,7 +52,7 @@ def _place_of(law: str, role: str, function: Function) -> Place | None:
     except (ImportError, AttributeError, ValueError):
         pass
     raise ValueError(
-        f"algorithm {law!r}: its {role} cannot travel; define it at the top of a module, "
+        f"{owner}: its {role} cannot travel; define it at the top of a module, "
         "as a Python function or by numba's @cfunc, not as a lambda, an address or a ctypes callback"
     )
 
@@ -97,7 +106,55 @@ class Law:
         return index_of(Algorithm(self.name))
 
 
+@dataclass(frozen=True)
+class EnvironmentFile:
+    """The environment of a plug-in by its absolute path. Another file than that of the sender is refused."""
+
+    name: str
+    path: str
+    sha256: str
+
+    def arrive(self) -> None:
+        if self.name not in _core.environment_names():
+            with open(self.path, "rb") as file:
+                self._check(hashlib.sha256(file.read()).hexdigest())  # before its code runs
+            load_environment(self.path)
+        self._check(_core.environment_file(self.name)[1])
+
+    def _check(self, sha256: str) -> None:
+        if sha256 != self.sha256:
+            raise ValueError(f"{self.path}: not the plug-in that was sent; SHA-256 {self.sha256} is wanted")
+
+
+@dataclass(frozen=True)
+class OwnEnvironment:
+    """An environment of one's own, by the places of its functions."""
+
+    name: str
+    places: tuple[Place | None, ...]  # in the order of FUNCTIONS
+    others: dict[str, Any]  # the other arguments of environment()
+
+    def arrive(self) -> None:
+        functions = tuple(place and place.function() for place in self.places)
+        if GivenEnvironment(functions, self.others).same(given_environment(self.name)):
+            return  # the import may have registered it, or a fork has it
+        environment(name=self.name, **dict(zip(FUNCTIONS, functions, strict=True)), **self.others)
+
+
 Traveller = BuiltIn | PluginFile | Law
+EnvironmentTraveller = EnvironmentFile | OwnEnvironment
+
+
+def environment_traveller_of(name: str) -> EnvironmentTraveller:
+    """Of an environment that is not built in. ValueError if it cannot travel."""
+    path, sha256 = _core.environment_file(name)
+    if path:
+        return EnvironmentFile(name, os.path.abspath(path), sha256)
+    own = given_environment(name)
+    if own is None:
+        raise ValueError(f"environment {name!r} cannot travel: it is not of hapticwall.environment()")
+    places = travelling_functions(own, lambda role, function: _place_of(f"environment {name!r}", role, function))
+    return OwnEnvironment(name, places, own.others)
 
 
 def traveller_of(index: int) -> Traveller:
@@ -111,9 +168,10 @@ def traveller_of(index: int) -> Traveller:
     law = given(name)
     if law is None:
         raise ValueError(f"algorithm {name!r} cannot travel: it is not of hapticwall.algorithm()")
-    step = _place_of(name, "step", law.step)
+    owner = f"algorithm {name!r}"
+    step = _place_of(owner, "step", law.step)
     assert step is not None
-    configure, reset = _place_of(name, "configure", law.configure), _place_of(name, "reset", law.reset)
+    configure, reset = _place_of(owner, "configure", law.configure), _place_of(owner, "reset", law.reset)
     return Law(name, step, configure, reset, law.others)
 
 
@@ -124,8 +182,15 @@ def arrived(travellers: list[Traveller]) -> list[int]:
 
 
 def scene_arrived(
-    kind: Callable[[_core.Scene], Any], travellers: list[Traveller], toml: str, paths: list[_core.PathState]
+    kind: Callable[[_core.Scene], Any],
+    travellers: list[Traveller],
+    environments: list[EnvironmentTraveller],
+    toml: str,
+    paths: list[_core.PathState],
 ) -> Any:
-    """A scene after its algorithms."""
+    """A scene after its algorithms and environments."""
     arrived(travellers)
+    with _arriving:
+        for one in environments:
+            one.arrive()
     return kind(_core.Scene.of_state(toml, paths))
