@@ -25,7 +25,7 @@ ELSEWHERE = {
     "root": "needs another user's rights; ./dev test --hid-guest drives the emulator",
     "display": "opens the window; tests/app/ui/page/experiment_test.cpp plays these lists",
     "cluster": "takes 64 machines; tests/app/command/map_test.cpp joins parts of a map",
-    "commands": "./dev test --adding-an-algorithm, --adding-an-estimator and --adding-a-study",
+    "commands": "./dev test --adding-an-algorithm, -environment, -estimator and --adding-a-study",
     "long": "takes minutes; worst_hand_test.cpp and accuracy_hands_test.cpp try fewer hands",
     "settings": "tests/app/ui/window/settings_file_test.cpp",
     "rust": "takes rustc; tests/python/paper_law_test.py",
