@@ -10,17 +10,26 @@ install(TARGETS hapticwall RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(FILES assets/70-hapticwall.rules DESTINATION lib/udev/rules.d)
 
 # Pages that the program and the build's libraries give, made when it is installed.
+set(generate_pages "")
+foreach(page man bash zsh fish)
+  string(APPEND generate_pages "execute_process(COMMAND \"$<TARGET_FILE:hapticwall>\" --generate ${page}
+    OUTPUT_FILE \"${pages}/${page}\" COMMAND_ERROR_IS_FATAL ANY)\n")
+endforeach()
 install(
-  CODE "execute_process(COMMAND \"$<TARGET_FILE:hapticwall>\" --generate man
-                        OUTPUT_FILE \"${pages}/hapticwall.1\" COMMAND_ERROR_IS_FATAL ANY)
-        execute_process(COMMAND \"$<TARGET_FILE:hapticwall>\" --generate bash
-                        OUTPUT_FILE \"${pages}/hapticwall\" COMMAND_ERROR_IS_FATAL ANY)
+  CODE "${generate_pages}
         execute_process(COMMAND \"${CMAKE_COMMAND}\" -DROOT=${PROJECT_SOURCE_DIR}
                                 -DGUI=${HAPTICWALL_GUI_SOURCES} -DOUTPUT=${pages}/copyright
                                 -P ${PROJECT_SOURCE_DIR}/cmake/write_copyright.cmake
                         COMMAND_ERROR_IS_FATAL ANY)")
-install(FILES ${pages}/hapticwall.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
-install(FILES ${pages}/hapticwall DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+install(FILES ${pages}/man DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 RENAME hapticwall.1)
+install(FILES ${pages}/bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME hapticwall)
+install(FILES ${pages}/fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d RENAME hapticwall.fish)
+# Debian's zsh reads another folder below /usr than below /usr/local.
+install(CODE "set(zsh_folder site-functions)
+              if(CMAKE_INSTALL_PREFIX STREQUAL \"/usr\")
+                set(zsh_folder vendor-completions)
+              endif()")
+install(FILES ${pages}/zsh DESTINATION "${CMAKE_INSTALL_DATADIR}/zsh/\${zsh_folder}" RENAME _hapticwall)
 
 set(documents ${CMAKE_INSTALL_DATADIR}/doc/hapticwall)
 install(FILES ${pages}/copyright README.md CHANGELOG.md CONTRIBUTING.md CITATION.cff LICENSE

@@ -42,9 +42,11 @@ set(expected
     share/doc/hapticwall/copyright
     share/doc/hapticwall/core/algorithm/plugin/include/hapticwall/plugin.h
     share/doc/hapticwall/device/port/include/hapticwall/device_plugin.h
+    share/fish/vendor_completions.d/hapticwall.fish
     share/icons/hicolor/scalable/apps/hapticwall.svg
     share/man/man1/hapticwall.1
-    share/metainfo/hapticwall.metainfo.xml)
+    share/metainfo/hapticwall.metainfo.xml
+    share/zsh/site-functions/_hapticwall)
 list(SORT found)
 list(SORT expected)
 if(NOT found STREQUAL expected)
@@ -78,6 +80,8 @@ endforeach()
 expect(share/doc/hapticwall/CITATION.cff "\nversion: ${VERSION}\n")
 expect(share/man/man1/hapticwall.1 ".TH HAPTICWALL 1")
 expect(share/bash-completion/completions/hapticwall "complete -o default -F _hapticwall hapticwall\n")
+expect(share/zsh/site-functions/_hapticwall "#compdef hapticwall\n")
+expect(share/fish/vendor_completions.d/hapticwall.fish "\ncomplete -c hapticwall ")
 
 # Every link of a page leads to a file.
 set(checked_links 0)
@@ -110,6 +114,13 @@ file(WRITE ${WORK}/install.cmake "${script}")
 run(ignored ${CMAKE_COMMAND} -DCMAKE_INSTALL_PREFIX=${WORK}/alone -P ${WORK}/install.cmake)
 if(NOT EXISTS ${WORK}/alone/bin/hapticwall OR EXISTS ${WORK}/alone/bin/hapticwall-emulator)
   message(SEND_ERROR "without hapticwall-emulator not exactly hapticwall is installed")
+endif()
+
+# Debian's zsh reads no site-functions below /usr.
+run(ignored ${CMAKE_COMMAND} -E env DESTDIR=${WORK}/staged ${CMAKE_COMMAND} --install ${BUILD} --config ${CONFIG}
+    --prefix /usr)
+if(NOT EXISTS ${WORK}/staged/usr/share/zsh/vendor-completions/_hapticwall)
+  message(SEND_ERROR "below /usr zsh does not find its completion")
 endif()
 
 set(installed ${WORK}/root/bin/hapticwall)

@@ -4,14 +4,9 @@
 
 #include <algorithm>
 #include <cctype>
-#include <set>
 #include <sstream>
-#include <string_view>
-#include <vector>
 
 #include "app/file/scene/scene_file.h"
-#include "app/file/text/text.h"
-#include "core/algorithm/algorithm.h"
 #include "hapticwall_version.h"
 
 namespace hapticwall::command {
@@ -88,40 +83,6 @@ std::string scenes() {
   return text;
 }
 
-// Long names of the options; if `with_value`, only of options that take a value.
-std::vector<std::string> words_of(const CLI::App& app, bool with_value) {
-  std::vector<std::string> words;
-  for (const CLI::Option* option : app.get_options()) {
-    if (with_value && !takes_value(*option)) continue;
-    for (const std::string& name : option->get_lnames()) words.push_back("--" + name);
-  }
-  return words;
-}
-
-// SCENE takes the names of the built-in scenes.
-bool takes_scene(const CLI::App& app) { return app.get_option_no_throw("SCENE") != nullptr; }
-
-std::string completion_case(const std::string& pattern, const CLI::App& app) {
-  return fmt::format("    {}) options='{}' words=\"{}\" ;;\n", pattern,
-                     fmt::join(words_of(app, false), " "), takes_scene(app) ? "$scenes" : "");
-}
-
-constexpr std::string_view kCompletionEnd = R"sh(  esac
-  if [[ $previous == '=' ]]; then previous=${COMP_WORDS[COMP_CWORD - 2]}; fi
-  if [[ $word == '=' ]]; then previous=${COMP_WORDS[COMP_CWORD - 1]} word=''; fi
-  if ((COMP_CWORD == 1)); then words="$commands $words"; fi
-  case " $valued " in
-    *" $previous "*) options='' words='' ;;
-  esac
-  case $previous in
-    --algorithm | --algorithms) words=$algorithms ;;
-  esac
-  if [[ $word == -* ]]; then words=$options; fi
-  mapfile -t COMPREPLY < <(compgen -W "$words" -- "$word")
-}
-complete -o default -F _hapticwall hapticwall
-)sh";
-
 }  // namespace
 
 std::string manual_page(const CLI::App& program) {
@@ -134,30 +95,6 @@ std::string manual_page(const CLI::App& program) {
       ".SH DESCRIPTION\n{}\n.SH OPTIONS\n{}.SH COMMANDS\n{}{}.SH SCENES\n{}",
       kVersion, as_troff(description.substr(0, end)), as_troff(description.substr(end + 1)),
       options_of(program), commands_of(program), footer_of(program), scenes());
-}
-
-std::string bash_completion(const CLI::App& program) {
-  std::vector<std::string> commands;
-  std::set<std::string> valued;
-  std::string cases;
-  const auto add = [&](const std::string& pattern, const CLI::App& app) {
-    cases += completion_case(pattern, app);
-    for (std::string& word : words_of(app, true)) valued.insert(std::move(word));
-  };
-  for (const CLI::App* command : program.get_subcommands(nullptr)) {
-    commands.push_back(command->get_name());
-    add(command->get_name(), *command);
-  }
-  add("*", program);
-  return fmt::format(
-      "# Completion of hapticwall {} for bash.\n_hapticwall() {{\n"
-      "  local word=${{COMP_WORDS[COMP_CWORD]}} previous=${{COMP_WORDS[COMP_CWORD - 1]}}\n"
-      "  local options words commands='{}'\n  local algorithms='{}'\n  local scenes='{}'\n"
-      "  local valued='{}'\n  case ${{COMP_WORDS[1]}} in\n{}{}",
-      kVersion, fmt::join(commands, " "),
-      fmt::join(file::names_of(algorithms(), &AlgorithmDescription::name), " "),
-      fmt::join(file::names_of(file::builtin_scenes(), &file::BuiltinScene::name), " "),
-      fmt::join(valued, " "), cases, kCompletionEnd);
 }
 
 }  // namespace hapticwall::command

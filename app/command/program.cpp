@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/command/commands.h"
+#include "app/command/completion.h"
 #include "app/command/pages.h"
 #include "app/command/report/terminal.h"
 #include "app/command/signals.h"
@@ -96,8 +97,8 @@ Failure check_place(const CLI::App& program, const CLI::App& command) {
 }
 
 std::string is_page(const std::string& text) {
-  if (text == "man" || text == "bash") return "";
-  return file::in_quotes(text) + " is no page; it takes man or bash";
+  if (text == "man" || completion_writer(text) != nullptr) return "";
+  return file::in_quotes(text) + " is no page; it takes man, bash, zsh or fish";
 }
 
 // Prints help or the version; anything else is an error.
@@ -153,7 +154,9 @@ Result<int> dispatch(int argc, const char* const* argv, const session::OpenWindo
   CLI::App program(kDescription, "hapticwall");
   program.set_version_flag("--version", std::string(kVersion), "Print the version and exit");
   std::string page;
-  program.add_option("--generate", page, "Print man, the manual page, or bash, the completion")
+  program
+      .add_option("--generate", page,
+                  "Print man, the manual page, or the completion of bash, zsh or fish")
       ->type_name("PAGE")
       ->check(is_page);
   program.get_formatter()->column_width(kHelpColumn);
@@ -179,7 +182,8 @@ Result<int> dispatch(int argc, const char* const* argv, const session::OpenWindo
     return after(command.action);
   }
   if (!page.empty()) {
-    return status_of(write_output(page == "man" ? manual_page(program) : bash_completion(program)));
+    const CompletionWriter complete = completion_writer(page);
+    return status_of(write_output(complete == nullptr ? manual_page(program) : complete(program)));
   }
   return after(window);
 }

@@ -1,63 +1,25 @@
-// The pages of an installed program, judged by man and bash themselves.
+// The manual page, judged by man itself.
 #include "app/command/pages.h"
 
-#include <fmt/format.h>
-
 #include <regex>
-#include <set>
 
 #include "app/file/scene/scene_file.h"
-#include "core/algorithm/algorithm.h"
-#include "tests/app/command/binary.h"
+#include "tests/app/command/help.h"
 
 namespace hapticwall::command::test {
 namespace {
 
-class PagesTest : public ProgramTest {
+class PagesTest : public HelpTest {
  protected:
-  [[nodiscard]] std::string help(const std::string& command) const {
-    const Answer answer =
-        command.empty() ? hapticwall({"--help"}) : hapticwall({command, "--help"});
-    EXPECT_EQ(answer.status, 0);
-    return answer.out;
-  }
-  [[nodiscard]] std::vector<std::string> commands() const {
-    const std::string text = help("");
-    const std::string part =
-        text.substr(0, text.find("\nExamples:\n")).substr(text.find("\nCommands:\n"));
-    return found_in(part, "\n  ([a-z-]+)  ");
-  }
-  [[nodiscard]] static std::vector<std::string> found_in(const std::string& text,
-                                                         const std::string& pattern) {
-    std::vector<std::string> words;
-    const std::regex regex(pattern);
-    for (std::sregex_iterator hit(text.begin(), text.end(), regex), end; hit != end; ++hit)
-      words.push_back((*hit)[1]);
-    return words;
-  }
   [[nodiscard]] static std::string escaped(const std::string& text) {
     const std::string minus = std::regex_replace(text, std::regex("-"), "\\-");
     return std::regex_replace(minus, std::regex("'"), "\\(aq");
-  }
-  [[nodiscard]] std::vector<std::string> options(const std::string& command) const {
-    return found_in(help(command), "\n  (?:-h,)?(--[a-z-]+)");
   }
   std::string shell(const std::string& script) const {
     const Answer answer = wait_for(start({"/bin/bash", "-c", script}));
     EXPECT_EQ(answer.status, 0) << script;
     EXPECT_EQ(answer.err, "") << script;
     return answer.out;
-  }
-  // Words that the Tab key offers after `words`.
-  [[nodiscard]] std::multiset<std::string> offered(const std::string& words) const {
-    put("page", hapticwall({"--generate", "bash"}).out);
-    const std::string out =
-        shell(fmt::format("source page; COMP_WORDS=({}); COMP_CWORD=$((${{#COMP_WORDS[@]}} - 1))\n"
-                          "complete -p hapticwall >/dev/null && _hapticwall && printf '%s\\n' "
-                          "\"${{COMPREPLY[@]}}\"",
-                          words));
-    const std::vector<std::string> lines = found_in(out, "([^\n]+)");
-    return {lines.begin(), lines.end()};
   }
 };
 
@@ -92,33 +54,6 @@ TEST_F(PagesTest, ManReadsTheManualWithoutAWarning) {
       shell("LC_ALL=C.UTF-8 MANWIDTH=200 man -l ./hapticwall.1 | sed 's/.\\x08//g'");
   EXPECT_THAT(text, HasSubstr("--expect verdict=settled --expect 'tail_peak_to_peak_m<1e-4'"));
   EXPECT_THAT(text, HasSubstr("EXIT STATUS\n"));
-}
-
-TEST_F(PagesTest, TabOffersCommandsAndScenesFirst) {
-  std::multiset<std::string> expected;
-  for (const std::string& command : commands()) expected.insert(command);
-  for (const file::BuiltinScene& scene : file::builtin_scenes()) expected.insert(scene.name);
-  EXPECT_EQ(offered("hapticwall ''"), expected);
-  EXPECT_THAT(offered("hapticwall comp"), ElementsAre("compare"));
-  EXPECT_THAT(offered("hapticwall run --quiet tap-"), ElementsAre("tap-slow"));
-  EXPECT_THAT(offered("hapticwall timing ''"), IsEmpty());
-}
-
-TEST_F(PagesTest, TabOffersTheOptionsOfTheCommand) {
-  for (const std::string& command : commands()) {
-    const std::multiset<std::string> answer = offered("hapticwall " + command + " --");
-    for (const std::string& option : options(command))
-      EXPECT_EQ(answer.count(option), 1U) << command << ' ' << option;
-  }
-}
-
-TEST_F(PagesTest, TabOffersAlgorithmsBehindTheirOptionAndFilesBehindOthers) {
-  std::multiset<std::string> expected;
-  for (const AlgorithmDescription& algorithm : algorithms()) expected.emplace(algorithm.name);
-  EXPECT_EQ(offered("hapticwall run press --algorithm ''"), expected);
-  EXPECT_EQ(offered("hapticwall run press --algorithm ="), expected);
-  EXPECT_THAT(offered("hapticwall run press --algorithm = half"), ElementsAre("half-sample"));
-  EXPECT_THAT(offered("hapticwall run press --csv ''"), IsEmpty()) << "bash completes a file";
 }
 
 }  // namespace

@@ -109,14 +109,14 @@ TEST(SignalColumns, StandLastInEachAxis) {
   columns.signals = {{"step_bound_n", bound_place()}, {"other", kMaxSignals - 1}};
   const std::string header = csv_header(columns);
   EXPECT_THAT(header, HasSubstr(",kinetic_j,signal.step_bound_n,signal.other,y_position_m,"));
-  EXPECT_THAT(header, testing::EndsWith(",y_kinetic_j,y_signal.step_bound_n,y_signal.other"));
+  EXPECT_THAT(header, ::testing::EndsWith(",y_kinetic_j,y_signal.step_bound_n,y_signal.other"));
   Tick tick;
   tick.count = 2;
   tick.axes[1].signals[bound_place()] = 0.5;
   std::string row;
   append_csv_row(row, tick, columns);
   EXPECT_THAT(row, HasSubstr(",0,,,0,"));
-  EXPECT_THAT(row, testing::EndsWith(",0.5,\n"));
+  EXPECT_THAT(row, ::testing::EndsWith(",0.5,\n"));
   row.pop_back();
   Tick read;
   read.axes[0].signals.fill(1.0);

@@ -21,9 +21,9 @@ namespace {
 using test::eventually;
 using test::FakeWriter;
 using test::WriterLog;
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
-class RecorderTest : public testing::Test {
+class RecorderTest : public ::testing::Test {
  protected:
   void start() { recorder_.start(std::make_unique<FakeWriter>(log_)); }
   void push(std::uint64_t first, std::uint64_t end) {

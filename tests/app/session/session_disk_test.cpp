@@ -25,9 +25,9 @@ using test::started;
 using test::TemporaryFolder;
 using test::text_of;
 using test::ticks_reach;
-using testing::AllOf;
-using testing::EndsWith;
-using testing::HasSubstr;
+using ::testing::AllOf;
+using ::testing::EndsWith;
+using ::testing::HasSubstr;
 
 constexpr std::uint64_t kTicksAfter = 100;
 

@@ -31,7 +31,7 @@ using test::TemporaryFolder;
 using test::text_of;
 using test::tick_of;
 using test::ticks_reach;
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 TEST(SessionEnd, AnUnstoppedRecordingIsFinishedWhole) {
   const TemporaryFolder folder;

@@ -18,9 +18,9 @@ using test::started;
 using test::started_paused;
 using test::TemporaryFolder;
 using test::ticks_reach;
-using testing::HasSubstr;
-using testing::IsEmpty;
-using testing::SizeIs;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
 
 std::vector<file::Mark> marks_in(const std::string& csv_path) {
   const auto reader = file::RecordingReader::open(csv_path);

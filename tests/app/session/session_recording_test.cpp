@@ -34,7 +34,7 @@ using test::tick_of;
 using test::ticks_reach;
 using test::with_algorithm;
 using test::WriterLog;
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 TEST(SessionRecording, EveryAlgorithmInTurnIsCompleteAndRepeatsBitForBit) {
   const TemporaryFolder folder;

@@ -27,7 +27,7 @@ using test::TemporaryFolder;
 constexpr std::uint32_t kStreamedTicks =
     20'000;  // fewer than the queue holds, more than pipe and buffer
 
-class SessionStream : public testing::Test {
+class SessionStream : public ::testing::Test {
  protected:
   void start() {
     SessionOptions options;

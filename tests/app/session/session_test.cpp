@@ -25,7 +25,7 @@ using test::loop_session;
 using test::started;
 using test::started_paused;
 using test::ticks_reach;
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 TEST(Session, RunsAtItsRateAndSaysHowItIsSetUp) {
   const auto session = started(contact_scene());

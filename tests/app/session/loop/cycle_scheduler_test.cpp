@@ -11,7 +11,7 @@ constexpr std::int64_t kStartNs = 123'456'789;
 constexpr std::int64_t kTenSecondsNs = 10'000'000'000;
 constexpr std::int64_t kHourNs = 3'600'000'000'000;
 
-class RateTest : public testing::TestWithParam<int> {};
+class RateTest : public ::testing::TestWithParam<int> {};
 
 // Every cycle of the first and of the last ten seconds; one late wake-up passes over the rest.
 TEST_P(RateTest, PhaseAfterAnHourIsExact) {
@@ -38,7 +38,7 @@ TEST_P(RateTest, PhaseAfterAnHourIsExact) {
   run_until(kStartNs + kHourNs);
 }
 
-INSTANTIATE_TEST_SUITE_P(Rates, RateTest, testing::Values(100, 333, 1000, 3000, 7001, 10000));
+INSTANTIATE_TEST_SUITE_P(Rates, RateTest, ::testing::Values(100, 333, 1000, 3000, 7001, 10000));
 
 TEST(CycleScheduler, DeadlinesAreRoundedAndNotCut) {
   CycleScheduler scheduler(3000.0, 0);

@@ -17,8 +17,8 @@
 namespace hapticwall::session {
 namespace {
 
-using testing::HasSubstr;
-using testing::Not;
+using ::testing::HasSubstr;
+using ::testing::Not;
 
 TEST(RealtimeStatus, SaysWhatWasReachedAndAdvisesNothing) {
   RealtimeOutcome outcome;
