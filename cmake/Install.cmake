@@ -44,8 +44,10 @@ install(FILES assets/70-hapticwall.rules DESTINATION ${documents}/assets)
 install(DIRECTORY core/algorithm/plugin/include DESTINATION ${documents}/core/algorithm/plugin)
 install(DIRECTORY device/port/include DESTINATION ${documents}/device/port)
 
-install(FILES assets/desktop/hapticwall.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications)
-install(FILES assets/desktop/hapticwall.svg
+# The id that the desktop knows the program by; kApplicationId in app/ui/window/window.h is the same.
+set(desktop_id org.hapticwall.hapticwall)
+install(FILES assets/desktop/${desktop_id}.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications)
+install(FILES assets/desktop/${desktop_id}.svg
         DESTINATION ${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps)
-install(FILES assets/desktop/hapticwall.metainfo.xml
+install(FILES assets/desktop/${desktop_id}.metainfo.xml
         DESTINATION ${CMAKE_INSTALL_DATADIR}/metainfo)

@@ -24,7 +24,7 @@ exclude_patterns = ["build", ".*", "[act]*/**"]  # folders that hold no page are
 
 html_theme = "furo"
 html_title = f"Haptic Wall {release}"
-html_favicon = "../assets/desktop/hapticwall.svg"
+html_favicon = "../assets/desktop/org.hapticwall.hapticwall.svg"
 html_copy_source = False
 html_show_sphinx = False
 highlight_language = "none"

@@ -19,6 +19,10 @@ file(REMOVE_RECURSE ${WORK})
 file(MAKE_DIRECTORY ${WORK})
 run(ignored ${CMAKE_COMMAND} --install ${BUILD} --config ${CONFIG} --prefix ${WORK}/root)
 
+# The entry, the icon, the window and the description of the program find each other by one id.
+file(STRINGS ${ROOT}/app/ui/window/window.h desktop_id REGEX "kApplicationId = ")
+string(REGEX REPLACE ".*\"(.+)\".*" "\\1" desktop_id "${desktop_id}")
+
 file(GLOB_RECURSE found RELATIVE ${WORK}/root ${WORK}/root/*)
 list(FILTER found EXCLUDE REGEX "/docs/")
 file(GLOB_RECURSE copied RELATIVE ${ROOT} ${ROOT}/assets/devices/* ${ROOT}/assets/examples/* ${ROOT}/assets/hands/*
@@ -30,7 +34,7 @@ set(expected
     include/hapticwall/device_plugin.h
     include/hapticwall/plugin.h
     lib/udev/rules.d/70-hapticwall.rules
-    share/applications/hapticwall.desktop
+    share/applications/${desktop_id}.desktop
     share/bash-completion/completions/hapticwall
     share/doc/hapticwall/CHANGELOG.md
     share/doc/hapticwall/CITATION.cff
@@ -43,9 +47,9 @@ set(expected
     share/doc/hapticwall/core/algorithm/plugin/include/hapticwall/plugin.h
     share/doc/hapticwall/device/port/include/hapticwall/device_plugin.h
     share/fish/vendor_completions.d/hapticwall.fish
-    share/icons/hicolor/scalable/apps/hapticwall.svg
+    share/icons/hicolor/scalable/apps/${desktop_id}.svg
     share/man/man1/hapticwall.1
-    share/metainfo/hapticwall.metainfo.xml
+    share/metainfo/${desktop_id}.metainfo.xml
     share/zsh/site-functions/_hapticwall)
 list(SORT found)
 list(SORT expected)
@@ -132,13 +136,17 @@ if(CONFIG STREQUAL "Release" AND READELF)
   endif()
 endif()
 
-# The judgement of the desktop's own tools. The project has no domain for a name of its own.
+expect(share/applications/${desktop_id}.desktop "\nIcon=${desktop_id}\n")
+expect(share/applications/${desktop_id}.desktop "\nStartupWMClass=${desktop_id}\n")
+expect(share/metainfo/${desktop_id}.metainfo.xml "<id>${desktop_id}</id>")
+expect(share/metainfo/${desktop_id}.metainfo.xml "<launchable type=\"desktop-id\">${desktop_id}.desktop<")
+
+# The judgement of the desktop's own tools.
 find_program(DESKTOP_FILE_VALIDATE desktop-file-validate)
 if(DESKTOP_FILE_VALIDATE)
-  run(ignored ${DESKTOP_FILE_VALIDATE} ${WORK}/root/share/applications/hapticwall.desktop)
+  run(ignored ${DESKTOP_FILE_VALIDATE} ${WORK}/root/share/applications/${desktop_id}.desktop)
 endif()
 find_program(APPSTREAMCLI appstreamcli)
 if(APPSTREAMCLI)
-  run(ignored ${APPSTREAMCLI} validate --no-net --override=cid-desktopapp-is-not-rdns=info
-      ${WORK}/root/share/metainfo/hapticwall.metainfo.xml)
+  run(ignored ${APPSTREAMCLI} validate --no-net ${WORK}/root/share/metainfo/${desktop_id}.metainfo.xml)
 endif()

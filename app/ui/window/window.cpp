@@ -86,6 +86,11 @@ WindowHandle open_window(const WindowState& kept) {
   glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
   glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
   glfwWindowHint(GLFW_MAXIMIZED, kept.maximised ? GLFW_TRUE : GLFW_FALSE);
+  glfwWindowHintString(GLFW_X11_CLASS_NAME, kApplicationId);
+  glfwWindowHintString(GLFW_X11_INSTANCE_NAME, kApplicationId);
+#ifdef GLFW_WAYLAND_APP_ID  // GLFW 3.4
+  glfwWindowHintString(GLFW_WAYLAND_APP_ID, kApplicationId);
+#endif
   const ImVec2 size = wanted_size(kept);
   WindowHandle window(glfwCreateWindow(static_cast<int>(size.x), static_cast<int>(size.y),
                                        "Haptic Wall", nullptr, nullptr));

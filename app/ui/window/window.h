@@ -10,6 +10,10 @@ namespace hapticwall::ui {
 
 class Application;
 
+// The name of the program on a desktop, in reverse-DNS form: class of the window on X11,
+// application id on Wayland, and name of the files in assets/desktop. It names no website.
+inline constexpr const char* kApplicationId = "org.hapticwall.hapticwall";
+
 // Hooks for tests and benchmarks. Called on the window's thread with its contexts current; any may
 // be empty.
 struct WindowHooks {

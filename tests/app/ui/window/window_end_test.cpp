@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <string>
 
+#include "app/ui/window/window.h"
 #include "tests/app/command/binary.h"
 #include "tests/app/ui/display.h"
 
@@ -45,6 +46,20 @@ TEST_F(WindowEnd, OneSignalEndsAWindowWhoseLoopHangs) {
       hapticwall::test::plugin_folder() + "/ending_algorithm_endless_step.so";
   EXPECT_THAT(terminated({"press", "--algorithm", plugin}).status,
               AnyOf(128 + SIGTERM, 128 + SIGXCPU));
+}
+
+// A desktop finds entry and icon of a window by its class.
+TEST_F(WindowEnd, TheClassOfTheWindowIsTheIdOfTheDesktopEntry) {
+  if (wait_for(start({"/bin/sh", "-c", "command -v xprop"})).status != 0)
+    GTEST_SKIP() << "no xprop";
+  std::string told;
+  const auto is_shown = [&] {
+    told = wait_for(start({"/usr/bin/env", "xprop", "-name", "Haptic Wall", "WM_CLASS"})).out;
+    return told.starts_with("WM_CLASS");
+  };
+  EXPECT_EQ(terminated({"press"}, is_shown, SIGTERM).status, 128 + SIGTERM);
+  const std::string id = std::string("\"") + kApplicationId + "\"";
+  EXPECT_EQ(told, "WM_CLASS(STRING) = " + id + ", " + id + "\n");
 }
 
 }  // namespace
