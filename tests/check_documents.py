@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""check_documents.py PROGRAM ROOT WORK [PYTHON MODULES]: runs the blocks of code of README, CONTRIBUTING
-and docs/.
+"""check_documents.py PROGRAM ROOT WORK [PYTHON MODULES]: runs the blocks of code of README, CONTRIBUTING,
+docs/ and the module's README, and finds lines that are too long for a diff.
 
 The words behind a fence say what a block is:
   sh               commands that end with status 0, in a folder that has the recording NAME.csv
@@ -33,6 +33,7 @@ ELSEWHERE = {
 }
 TIMEOUT_S = 240
 LARGEST_GRID = 8
+COLUMNS = 100
 
 
 def blocks(text):
@@ -47,6 +48,19 @@ def blocks(text):
             fence = None
         elif fence is not None:
             lines.append(line)
+
+
+def long_lines(text):
+    """Numbers of the lines beyond COLUMNS, except tables and blocks of code."""
+    fence = None
+    for number, line in enumerate(text.splitlines(), 1):
+        mark = re.match(r" *(```+)", line)
+        if mark and fence is None:
+            fence = mark[1]
+        elif fence is not None:
+            fence = None if line.strip() == fence else fence
+        elif len(line) > COLUMNS and not line.lstrip().startswith("|"):
+            yield number
 
 
 def small(script):
@@ -128,8 +142,12 @@ def prepared(work, program, root):
 def main():
     # Not resolved: the Python of a virtual environment is a link.
     program, root, work, *python = (pathlib.Path(argument).absolute() for argument in sys.argv[1:])
-    pages = [root / "README.md", root / "CONTRIBUTING.md", *sorted((root / "docs").rglob("*.md"))]
+    first = [root / name for name in ("README.md", "CONTRIBUTING.md", "app/python/README.md")]
+    pages = [*first, *sorted((root / "docs").rglob("*.md"))]
     ran, problems = 0, []
+    for page in [*pages, root / "CHANGELOG.md", root / "site/api.md"]:
+        for number in long_lines(page.read_text(encoding="utf-8")):
+            problems.append(f"{page.relative_to(root)}:{number}: more than {COLUMNS} columns")
     for page in pages:
         prepared(work, program, root)
         # Scenes name files that the page shows further down.
