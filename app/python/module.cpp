@@ -38,6 +38,7 @@ MapValues map_values(const std::pair<std::string, Numbers>& of_key) {
   return {of_key.first, {of_key.second.data(), of_key.second.size()}};
 }
 
+using HandRunner = nb::typed<nb::callable, nb::bytes(nb::bytes)>;
 using SummaryList = nb::typed<nb::list, SummaryDict>;
 SummaryList dicts_of(const std::vector<RunSummary>& runs) {
   SummaryList dicts;
@@ -130,9 +131,15 @@ NB_MODULE(_core, m) {
   m.def("batch", [](const std::vector<SceneBox>& scenes, int threads) {
     return dicts_of(run_batch(scenes, threads));
   });
+  m.attr("hand_bytes") = kHandBytes;
   m.def("worst_hand", [](const SceneBox& scene, std::uint64_t hands, std::uint64_t seed,
-                         const std::string& bounds, const std::string& motion, int threads) {
-    return search_hand(scene, {hands, seed, bounds, motion, threads});
+                         const std::string& bounds, const std::string& motion, int threads,
+                         const std::optional<HandRunner>& elsewhere) {
+    return search_hand(scene, {hands, seed, bounds, motion, threads, elsewhere});
+  });
+  m.def("run_hands", [](const SceneBox& scene, const std::string& bounds, const std::string& motion,
+                        const nb::bytes& hands, int threads) {
+    return run_hands(scene, {1, 0, bounds, motion, threads}, hands);
   });
   m.def("compare", [](const SceneBox& scene, const std::vector<std::size_t>& algorithms,
                       int threads) { return dicts_of(compare(scene, algorithms, threads)); });

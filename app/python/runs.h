@@ -14,6 +14,7 @@
 #include "app/file/recording/recording_writer.h"
 #include "app/python/results.h"
 #include "app/python/scene.h"
+#include "core/study/worst_hand/hand_space.h"
 #include "core/summary.h"
 
 namespace hapticwall::python {
@@ -74,17 +75,25 @@ using MapValues = std::pair<std::string, std::span<const double>>;  // of a key
 void check_map(const SceneBox& scene, const MapValues& x, const MapValues& y,
                const std::vector<std::size_t>& algorithms);
 
+inline constexpr std::size_t kHandBytes = sizeof(worst_hand::HandValues);
 struct HandSearch {
   std::uint64_t hands = 0;
   std::uint64_t seed = 0;
   std::string bounds;
   std::string motion;
   int threads = 0;  // max; 0: all cores
+  // Runs hands elsewhere: takes and gives the bytes of run_hands(). nullopt: this process runs
+  // them.
+  std::optional<nanobind::callable> elsewhere = {};
 };
 using HandDict = nanobind::typed<nanobind::dict, nanobind::str, nanobind::any>;
 // The search of `hapticwall worst-hand` (worst_hand.cpp), with the keys of a row of its JSON: those
 // of the hand are missing if none took energy. `numbers` are those of the hand, `scene` a SceneBox.
-// Raises ValueError and KeyboardInterrupt.
+// Raises ValueError, KeyboardInterrupt, and what `elsewhere` raised.
 [[nodiscard]] HandDict search_hand(const SceneBox& scene, const HandSearch& search);
+// Results of these hands in the order of worst_hand::HandResult, three doubles each; NaN for a hand
+// that the integrator refuses. `hands`: worst_hand::kHandNumbers doubles each. Raises ValueError.
+[[nodiscard]] nanobind::bytes run_hands(const SceneBox& scene, const HandSearch& search,
+                                        const nanobind::bytes& hands);
 
 }  // namespace hapticwall::python

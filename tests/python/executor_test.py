@@ -1,4 +1,4 @@
-"""Batches and maps as tasks of an executor: the same bits, and what is left after a loss."""
+"""Batches, maps and searches as tasks of an executor: the same bits, and what is left after a loss."""
 
 import multiprocessing
 import pickle
@@ -90,6 +90,39 @@ def test_a_boundary_by_tasks_is_the_boundary(executor):
         assert len(expected) == (3 if x is None else 9)
     with pytest.raises(ValueError, match="x and along are the same key"):
         hw.boundary(PRESS, along, x=along, algorithms=chosen, executor=executor)
+
+
+def same_search(found, expected):
+    assert {**vars(found), "scene": str(found.scene)} == {**vars(expected), "scene": str(expected.scene)}
+
+
+@pytest.mark.parametrize("motion", ["let-go", "ramp"])
+def test_a_search_for_a_hand_by_tasks_is_the_search(executor, motion):
+    scene = hw.load("tap").replace({"duration_s": 0.3})
+    for law, rows in (("none", 7), (LAWS["limited"], 100)):
+        search = {"algorithm": law, "hands": 40, "seed": 5, "motion": motion}
+        expected = hw.worst_hand(scene, **search)
+        same_search(hw.worst_hand(scene, **search, executor=executor, rows_per_task=rows), expected)
+    assert hw.worst_hand(scene, "none", hands=40, seed=5).taken_j > 0.0  # the search has found something
+
+
+def test_a_search_by_tasks_tells_what_is_wrong(executor):
+    with pytest.raises(ValueError, match="hands: 1 to 10000000"):
+        hw.worst_hand("tap", hands=0, executor=executor)
+    with pytest.raises(ValueError, match="rows_per_task: 1 or more, not 0"):
+        hw.worst_hand("tap", executor=executor, rows_per_task=0)
+    with pytest.raises(hw.LawError) as told:
+        hw.worst_hand(hw.load("tap").replace(SHORT), LAWS["raises"], hands=20, executor=executor)
+    assert isinstance(told.value.__cause__, ZeroDivisionError)
+    assert told.value.result.hands == 20
+
+
+def test_a_search_with_a_lost_worker_names_the_hands():
+    deadly = hw.load("tap").replace(SHORT).with_algorithm(LAWS["kills"], deadly=1.0)
+    with workers("fork", count=1) as executor, pytest.raises(hw.Unfinished) as told:
+        hw.worst_hand(deadly, hands=20, executor=executor)
+    assert told.value.result is None and told.value.missing == list(range(20))
+    assert isinstance(told.value.__cause__, BrokenProcessPool)
 
 
 def test_threads_of_one_call_do_not_change_a_bit():

@@ -106,6 +106,12 @@ def boundary_task(
     return _outcome(lambda: _core.boundary(scene._core, text, threads))
 
 
+def hands_task(sent: bytes, bounds: str, motion: str, hands: bytes, threads: int) -> Outcome[bytes]:
+    """Runs in a worker: hands of a search, and their results, as numbers of C."""
+    scene: Scene = _received(sent)
+    return _outcome(lambda: _core.run_hands(scene._core, bounds, motion, hands, threads))
+
+
 Task = tuple[Any, ...]  # a function and its arguments
 
 
@@ -238,3 +244,33 @@ def boundary_by(
         for number, text in done:
             rows[number * count : (number + 1) * count] = json.loads(text)
     return tasks.result(rows, lambda number: range(number * count, (number + 1) * count))
+
+
+class HandTasks:
+    """Runs the hands of a search as tasks, population by population."""
+
+    def __init__(
+        self, executor: Executor, scene: Scene, bounds: str, motion: str, rows_per_task: int, threads: int
+    ) -> None:
+        self.executor, self.sent = executor, _sent(scene)
+        self.bounds, self.motion, self.threads = bounds, motion, threads
+        self.step = _step(rows_per_task) * _core.hand_bytes
+        self.count = 0
+        self.raised: BaseException | None = None  # by a law
+
+    def __call__(self, hands: bytes) -> bytes:
+        """Raises Unfinished, whose `missing` are numbers of hands from 0 on."""
+        parts = [hands[at : at + self.step] for at in range(0, len(hands), self.step)]
+        tasks: _Tasks[bytes] = _Tasks(
+            self.executor, [(hands_task, self.sent, self.bounds, self.motion, part, self.threads) for part in parts]
+        )
+        results = [b""] * len(parts)
+        with closing(tasks.done()) as done:
+            for number, part in done:
+                results[number] = part
+        self.raised, tasks.raised = self.raised or tasks.raised, None
+        first, step = self.count, self.step // _core.hand_bytes
+        self.count += len(hands) // _core.hand_bytes
+        rows = range(first, self.count)
+        tasks.result(None, lambda number: rows[number * step : (number + 1) * step])
+        return b"".join(results)

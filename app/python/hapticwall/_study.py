@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from hapticwall import _core
-from hapticwall._executor import Columns, MapTasks, Numbers
+from hapticwall._executor import Columns, HandTasks, MapTasks, Numbers
 from hapticwall._law import Algorithm, algorithms as all_algorithms, heard, index_of, indices_of, told
 from hapticwall._path import Path
 from hapticwall._scene import Scene, scene_of
@@ -133,18 +133,27 @@ def worst_hand(
     seed: int = 1,
     bounds: str = "wide",
     motion: str = "let-go",
-    threads: int = 0,
+    threads: int | None = None,
+    executor: Executor | None = None,
+    rows_per_task: int = 8,
 ) -> WorstHand:
     """Searches for a hand that takes energy out of axis x, as `hapticwall worst-hand`.
 
-    `bounds` are "wide" or "narrow", `motion` is "let-go" or "ramp"; docs/worst-hand.md defines them. The
-    result is the same for any number of threads; 0 means all cores.
+    `bounds` are "wide" or "narrow", `motion` is "let-go" or "ramp"; docs/worst-hand.md defines them.
+    `threads`: max, 0 for all cores. None is all cores, and one core in a task of an `executor`, which
+    takes `rows_per_task` hands a task. The result is the same for any of them. Unfinished, without a
+    result, if a task fails or its worker is lost.
     """
     core = scene_of(scene)._core
     if algorithm is not None:
         core = core.under(index_of(algorithm))
+    tasks = None
+    if executor is not None:
+        tasks = HandTasks(executor, Scene(core), bounds, motion, rows_per_task, 1 if threads is None else threads)
     with heard() as raised:
-        row = _core.worst_hand(core, hands, seed, bounds, motion, threads)
+        row = _core.worst_hand(core, hands, seed, bounds, motion, threads or 0, tasks)
+    if tasks is not None and tasks.raised is not None:
+        raised = [tasks.raised]
     if "scene" in row:
         row["scene"] = Scene(row["scene"])
     return told(raised, WorstHand(**row))

@@ -45,21 +45,43 @@ class RestEnergy {
   double least_j_ = std::numeric_limits<double>::infinity();
 };
 
-struct HandRun {
-  Summary summary;
-  double taken_at_rest_j = 0.0;
-};
-
 double taken_j(const Summary& run) { return std::max(0.0, -run.passivity_margin_j.value_or(0.0)); }
 
-// Energy taken. Without any, a negative number: how much of the device's damping the actuator gave.
-double score_of(const HandRun& hand) {
+double score_of(const Summary& run, double taken_at_rest_j) {
   constexpr double kSmall = 1e-12;  // every hand that takes energy ranks above
-  if (hand.taken_at_rest_j > kFoundJ) return hand.taken_at_rest_j;
-  const Summary& run = hand.summary;
+  if (taken_at_rest_j > kFoundJ) return taken_at_rest_j;
   const double lost_j = run.true_dissipation_j.value_or(0.0);
   const double given_j = -run.true_actuator_work_j.value_or(0.0);
   return kSmall * ((lost_j > 0.0 ? std::clamp(given_j / lost_j, -1.0, 1.0) : -1.0) - 1.0);
+}
+
+// nullopt if the runs were stopped. Throws SceneRefused.
+std::optional<std::vector<HandResult>> run_scenes(std::span<const Scene> scenes, Motion motion,
+                                                  const SearchOptions& options) {
+  std::vector<RestEnergy> energies;
+  BatchOptions batch{.threads = options.threads,
+                     .should_stop = options.should_stop,
+                     .progress = {},
+                     .on_sample = {}};
+  if (motion == Motion::kRamp) {
+    for (const Scene& scene : scenes) energies.emplace_back(rest_s(scene));
+    batch.on_sample = [&](std::size_t scene, const Sample& sample) {
+      energies[scene].add(sample.time_s, sample.truth.hand_work_j);
+    };
+  }
+  const BatchResult result = simulate_batch(scenes, batch);
+  if (result.stopped_early) return std::nullopt;
+  std::vector<HandResult> runs;
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    const Summary& summary = *result.summaries[i];
+    double taken = taken_j(summary);
+    if (motion == Motion::kRamp) {
+      energies[i].add(summary.duration_s, *summary.true_hand_work_j);
+      taken = energies[i].taken_j();
+    }
+    runs.push_back({score_of(summary, taken), taken_j(summary), taken});
+  }
+  return runs;
 }
 
 bool are_distinct(const HandValues& a, const HandValues& b) {
@@ -141,16 +163,16 @@ class Search {
     std::vector<HandValues> hands;
     hands.reserve(points.size());
     for (const HandPoint& point : points) hands.push_back(values_at(point, plan_.bounds));
-    const std::vector<std::optional<HandRun>> runs = run_hands(hands);
+    const HandResults runs = run(hands);
     std::vector<double> scores;
     for (std::size_t i = 0; i < runs.size(); ++i) {
       ++found_.hands;
       const double taken = runs[i] ? runs[i]->taken_at_rest_j : 0.0;
       found_.refused += runs[i] ? 0U : 1U;
-      scores.push_back(runs[i] ? score_of(*runs[i]) : -1.0);
+      scores.push_back(runs[i] ? runs[i]->score : -1.0);
       if (!(taken > kFoundJ)) continue;
       if (taken > found_.most_j()) found_.gains.push_back({found_.hands, taken});
-      tried_.push_back({hands[i], taken_j(runs[i]->summary), taken});
+      tried_.push_back({hands[i], runs[i]->taken_j, taken});
     }
     tell_progress(static_cast<double>(found_.hands) / planned_runs());
     return scores;
@@ -159,51 +181,11 @@ class Search {
     return static_cast<double>(plan_.hands + kMaxRanked * kNeighbours);
   }
 
-  // nullopt for a hand that the integrator refuses. Empty if the search was stopped.
-  std::vector<std::optional<HandRun>> run_hands(std::span<const HandValues> hands) {
-    std::vector<Scene> scenes;
-    scenes.reserve(hands.size());
-    for (const HandValues& hand : hands)
-      scenes.push_back(with_hand(plan_.scene, hand, plan_.motion));
-    std::vector<std::size_t> places(hands.size());
-    std::iota(places.begin(), places.end(), std::size_t{0});
-    std::vector<std::optional<HandRun>> runs(hands.size());
-    for (;;) try {
-        std::vector<HandRun> batch = run_scenes(scenes);
-        if (stopped_) return {};
-        for (std::size_t i = 0; i < places.size(); ++i) runs[places[i]] = std::move(batch[i]);
-        return runs;
-      } catch (const SceneRefused& refused) {
-        const auto index = static_cast<std::ptrdiff_t>(refused.scene);
-        scenes.erase(scenes.begin() + index);
-        places.erase(places.begin() + index);
-      }
-  }
-  std::vector<HandRun> run_scenes(std::span<const Scene> scenes) {
-    std::vector<RestEnergy> energies;
-    BatchOptions batch{.threads = options_.threads,
-                       .should_stop = options_.should_stop,
-                       .progress = {},
-                       .on_sample = {}};
-    if (plan_.motion == Motion::kRamp) {
-      for (const Scene& scene : scenes) energies.emplace_back(rest_s(scene));
-      batch.on_sample = [&](std::size_t scene, const Sample& sample) {
-        energies[scene].add(sample.time_s, sample.truth.hand_work_j);
-      };
-    }
-    BatchResult result = simulate_batch(scenes, batch);
-    stopped_ = result.stopped_early;
-    std::vector<HandRun> runs;
-    for (std::size_t i = 0; i < scenes.size() && !stopped_; ++i) {
-      Summary& summary = *result.summaries[i];
-      double taken = taken_j(summary);
-      if (plan_.motion == Motion::kRamp) {
-        energies[i].add(summary.duration_s, *summary.true_hand_work_j);
-        taken = energies[i].taken_j();
-      }
-      runs.push_back({std::move(summary), taken});
-    }
-    return runs;
+  HandResults run(std::span<const HandValues> hands) {
+    std::optional<HandResults> results =
+        options_.run_hands ? options_.run_hands(hands) : run_hands(plan_, hands, options_);
+    if (!results) stopped_ = true;
+    return results ? std::move(*results) : HandResults{};
   }
 
   // The hands that took most, without copies of a better one.
@@ -242,8 +224,8 @@ class Search {
   }
   std::vector<double> taken_by(const std::vector<HandValues>& hands) {
     std::vector<double> taken;
-    for (const std::optional<HandRun>& run : run_hands(hands))
-      taken.push_back(run ? run->taken_at_rest_j : 0.0);
+    for (const std::optional<HandResult>& result : run(hands))
+      taken.push_back(result ? result->taken_at_rest_j : 0.0);
     return taken;
   }
 
@@ -271,6 +253,26 @@ class Search {
 };
 
 }  // namespace
+
+std::optional<HandResults> run_hands(const Plan& plan, std::span<const HandValues> hands,
+                                     const SearchOptions& options) {
+  std::vector<Scene> scenes;
+  scenes.reserve(hands.size());
+  for (const HandValues& hand : hands) scenes.push_back(with_hand(plan.scene, hand, plan.motion));
+  std::vector<std::size_t> places(hands.size());
+  std::iota(places.begin(), places.end(), std::size_t{0});
+  HandResults results(hands.size());
+  for (;;) try {
+      const auto batch = run_scenes(scenes, plan.motion, options);
+      if (!batch) return std::nullopt;
+      for (std::size_t i = 0; i < places.size(); ++i) results[places[i]] = (*batch)[i];
+      return results;
+    } catch (const SceneRefused& refused) {
+      const auto index = static_cast<std::ptrdiff_t>(refused.scene);
+      scenes.erase(scenes.begin() + index);
+      places.erase(places.begin() + index);
+    }
+}
 
 std::optional<Found> search(const Plan& plan, const SearchOptions& options) {
   return Search(plan, options).run();

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "core/scene.h"
@@ -74,6 +75,16 @@ struct Found {
   }
 };
 
+// One hand's run, as the search ranks it.
+struct HandResult {
+  // Energy taken at rest; without any, below 0: how much of the device's damping the actuator gave.
+  double score = 0.0;
+  double taken_j = 0.0;
+  double taken_at_rest_j = 0.0;
+};
+// In the order of the hands; nullopt for a hand that the integrator refuses.
+using HandResults = std::vector<std::optional<HandResult>>;
+
 struct SearchOptions {
   int threads = 0;  // max; 0: as many as the processor runs at a time
   // Any thread calls the functions, never two at once. True ends the search without a result.
@@ -81,7 +92,16 @@ struct SearchOptions {
   // True ends the search with the hands so far. Asked between populations.
   std::function<bool()> time_is_up;
   std::function<void(double fraction)> progress;
+  // Runs hands elsewhere, with the results of run_hands(). nullopt ends the search without a
+  // result.
+  std::function<std::optional<HandResults>(std::span<const HandValues>)> run_hands = {};
 };
+
+// Runs hands in the plan's scene. nullopt if `should_stop` returned true. The same bits for any
+// number of threads and for any division of the hands. Realtime-safe: no.
+[[nodiscard]] std::optional<HandResults> run_hands(const Plan& plan,
+                                                   std::span<const HandValues> hands,
+                                                   const SearchOptions& options);
 
 // Tries 1024 hands of a Sobol sequence, then populations of CMA-ES; then ranks. nullopt if
 // `should_stop` returned true. Ramps take longer, because every sample is looked at. The same bits
