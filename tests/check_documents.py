@@ -21,6 +21,9 @@ import sys
 
 # Why a block does not run here.
 ELSEWHERE = {
+    "pandas": "tests/python/experiment_test.py",
+    "psychopy": "was tried by hand, with the version and the date on the page",
+    "measured": "was tried by hand, with the versions and the date on the page",
     "sources": "builds the program",
     "root": "needs another user's rights; ./dev test --hid-guest drives the emulator",
     "display": "opens the window; tests/app/ui/page/experiment_test.cpp plays these lists",

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <optional>
 #include <system_error>
 #include <utility>
 
@@ -34,26 +35,68 @@ Result<double> hand_number(std::string_view field, const ValueRange& range, std:
   return usage_error(fmt::format("{}: {}", name, out_of_range_text(*value, range, unit)));
 }
 
-Result<PathPoint> hand_point(std::string_view line, const std::vector<PathPoint>& before) {
-  const std::vector<std::string_view> fields = split(line, ',');
-  if (fields.size() != 2) {
-    return usage_error(fmt::format("{} columns; it takes 2: {}", fields.size(), kHandHeader));
+// Places of the two columns among the fields of a row, which may have others.
+struct HandColumns {
+  std::size_t count = 0;
+  std::size_t time = 0;
+  std::size_t position = 0;
+};
+
+// nullopt if a column is missing or stands twice.
+std::optional<HandColumns> hand_columns(std::string_view header) {
+  const std::vector<std::string_view> names = split(header, ',');
+  HandColumns columns{names.size(), names.size(), names.size()};
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const std::string_view name = trimmed(names[i]);
+    if (name != "time_s" && name != "position_m") continue;
+    std::size_t& place = name == "time_s" ? columns.time : columns.position;
+    if (place != names.size()) return std::nullopt;
+    place = i;
   }
-  const Result<double> time_s = hand_number(fields[0], kPathTimeRange, "time_s", "s");
-  if (!time_s) return time_s.error();
-  const Result<double> position_m = hand_number(fields[1], kPositionRange, "position_m", "m");
-  if (!position_m) return position_m.error();
-  if (!before.empty() && !(*time_s > before.back().time_s)) {
-    return usage_error(fmt::format("time_s: {} follows {}; times must increase",
-                                   number_text(*time_s), number_text(before.back().time_s)));
-  }
-  return PathPoint{*time_s, *position_m};
+  const bool whole = columns.time < names.size() && columns.position < names.size();
+  return whole ? std::optional(columns) : std::nullopt;
 }
 
-bool is_hand_header(std::string_view line) {
-  const std::vector<std::string_view> names = split(line, ',');
-  return names.size() == 2 && trimmed(names[0]) == "time_s" && trimmed(names[1]) == "position_m";
+// A clock that starts outside the times of a path, such as seconds since 1970, begins at 0.
+double begin_of(double first_time_s) {
+  return kPathTimeRange.contains(first_time_s) ? 0.0 : first_time_s;
 }
+
+// Reads the rows of one file.
+class HandReader {
+ public:
+  explicit HandReader(const HandColumns& columns) : columns_(columns) {}
+
+  Result<PathPoint> point(std::string_view line) {
+    const std::vector<std::string_view> fields = split(line, ',');
+    if (fields.size() != columns_.count) {
+      return usage_error(
+          fmt::format("{} columns; the header has {}", fields.size(), columns_.count));
+    }
+    const Result<double> clock_s = hand_number(fields[columns_.time], kAnyTime, "time_s", "s");
+    if (!clock_s) return clock_s.error();
+    if (!begin_s_) begin_s_ = begin_of(*clock_s);
+    const double time_s = *clock_s - *begin_s_;
+    if (!kPathTimeRange.contains(time_s))
+      return usage_error("time_s: " + out_of_range_text(time_s, kPathTimeRange, "s"));
+    if (before_s_ && !(time_s > *before_s_)) {
+      return usage_error(fmt::format("time_s: {} follows {}; times must increase",
+                                     number_text(time_s), number_text(*before_s_)));
+    }
+    const Result<double> position_m =
+        hand_number(fields[columns_.position], kPositionRange, "position_m", "m");
+    if (!position_m) return position_m.error();
+    before_s_ = time_s;
+    return PathPoint{time_s, *position_m};
+  }
+
+ private:
+  static constexpr ValueRange kAnyTime{-1e11, 1e11};  // s; a double still tells 20 µs apart
+
+  HandColumns columns_;
+  std::optional<double> begin_s_;
+  std::optional<double> before_s_;
+};
 
 }  // namespace
 
@@ -67,13 +110,15 @@ Result<std::vector<PathPoint>> parse_hand(std::string_view text, const std::stri
                        ":1: a recording; `compare`, `map` and `accuracy` re-run its hand if it is "
                        "their SCENE");
   }
-  if (!is_hand_header(header)) {
+  const std::optional<HandColumns> columns = hand_columns(header);
+  if (!columns) {
     return usage_error(
         fmt::format("{}:1: not the header of a hand; it takes {}", shown(origin), kHandHeader));
   }
   std::vector<PathPoint> points;
+  HandReader reader(*columns);
   while (!text.empty()) {
-    const Result<PathPoint> point = hand_point(take_line(text), points);
+    const Result<PathPoint> point = reader.point(take_line(text));
     if (!point) {
       return usage_error(
           fmt::format("{}:{}: {}", shown(origin), points.size() + 2, point.error().message));

@@ -1,4 +1,5 @@
-// Reads the path of a measured hand from a CSV file with the columns time_s and position_m.
+// Reads the path of a measured hand from a CSV file with the columns time_s and position_m. Others
+// are skipped.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +15,8 @@ namespace hapticwall::file {
 inline constexpr std::size_t kMaxHandBytes = std::size_t{1} << 26U;
 inline constexpr std::string_view kHandHeader = "time_s,position_m";
 
-// The points in order of their times: seconds from 0 on, positions within ±1 m. Fails (exit status
+// The points in order of their times: seconds from 0 on, positions within ±1 m. Times that begin
+// outside of 0 to 1e6 s are shifted, so that the first one is 0. Fails (exit status
 // 2) at the first wrong line; `origin` names the text ("hand.csv:12: position_m: no …"). Skips a
 // byte order mark.
 [[nodiscard]] Result<std::vector<PathPoint>> parse_hand(std::string_view text,

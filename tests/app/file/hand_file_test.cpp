@@ -111,6 +111,24 @@ TEST_F(HandFile, MayBeginWithAByteOrderMark) {
   EXPECT_EQ(load("scenes/a.toml").scene.x().hand->path, (SharedPath{{0.0, 0.03}, {0.5, 0.06}}));
 }
 
+TEST_F(HandFile, OtherColumnsAreSkipped) {
+  const auto hand =
+      parse_hand("frame,position_m, force_n ,time_s\n1,0.03,2.5,0\n2,0.06,\"x\",0.5\n", "hand.csv");
+  ASSERT_TRUE(hand) << hand.error().message;
+  EXPECT_EQ(*hand, (std::vector<PathPoint>{{0.0, 0.03}, {0.5, 0.06}}));
+}
+
+TEST_F(HandFile, AClockMayStartAnywhere) {
+  for (const char* text : {"time_s,position_m\n1764115200,0.03\n1764115200.5,0.06\n",
+                                  "time_s,position_m\n-3,0.03\n-2.5,0.06\n"}) {
+    const auto hand = parse_hand(text, "hand.csv");
+    ASSERT_TRUE(hand) << hand.error().message;
+    EXPECT_EQ(*hand, (std::vector<PathPoint>{{0.0, 0.03}, {0.5, 0.06}}));
+  }
+  EXPECT_EQ(parse_hand("time_s,position_m\n0.25,0.03\n", "")->front().time_s, 0.25)
+      << "a wait before the motion stays";
+}
+
 // The writer of a scene could name a file of its reader, and see its lines in a report of the
 // error.
 TEST_F(HandFile, AMessageTellsNoTextOfTheFile) {
