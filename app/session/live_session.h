@@ -103,6 +103,9 @@ class LiveSession : public SampleSource {
   // (file::mark_text() limits it). Fails where nothing is recorded, and after file::kMaxMarks
   // marks. The loop does not notice.
   [[nodiscard]] virtual Failure mark(std::string_view text) = 0;
+  // An event for the stream at the newest sample; `more`: further members of its object, as JSON
+  // with a leading comma. No effect without a stream.
+  virtual void add_event(std::string_view /*name*/, std::string_view /*more*/) {}
   // Gives the newest mark of the running recording this text; harmless without one.
   virtual void name_mark(std::string_view text) = 0;
 };

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/session/scene_change.h"
+#include "core/algorithm/algorithm.h"
 #include "core/algorithm/plugin/plugin_list.h"
 
 namespace hapticwall::session {
@@ -80,7 +81,8 @@ LoopSession::LoopSession(std::vector<std::unique_ptr<device::Device>> devices, c
             borrowed, options.allow_slow_device),
       recorder_(exchange_.recorder),
       clock_(options.clock != nullptr ? *options.clock : monotonic_clock_,
-             spin_ns(options.spin_s, scene.sampling.rate_hz)) {
+             spin_ns(options.spin_s, scene.sampling.rate_hz)),
+      events_(options.stream, algorithms()[scene.algorithm.index].name) {
   if (options.stream) {  // before the loop, so that tick 0 is in it
     recorder_.stream_into(options.stream, columns_);
     start_recorder(nullptr);
@@ -184,6 +186,8 @@ void LoopSession::exchange_news() {
   while (exchange_.echoes.try_pop(echo)) {
     history_.came_into_force(echo);
     for (PlantKeeper& plants : plants_) plants.came_into_force(echo.generation);
+    events_.algorithm({echo.tick, static_cast<double>(echo.tick) * scene().sampling.period_s()},
+                      algorithms()[history_.algorithm_in_force()].name);
   }
   note_recording();
 }
@@ -191,7 +195,17 @@ void LoopSession::exchange_news() {
 Snapshot LoopSession::snapshot() {
   exchange_news();
   exchange_.snapshots.update();
+  events_.arming(newest_tick(), exchange_.snapshots.current().arming);
   return exchange_.snapshots.current();
+}
+
+EventTick LoopSession::newest_tick() const {
+  const Sample& newest = exchange_.snapshots.current().newest.x();
+  return {newest.tick, newest.time_s};
+}
+
+void LoopSession::add_event(std::string_view name, std::string_view more) {
+  events_.other(newest_tick(), name, more);
 }
 
 void LoopSession::read_timing(TimingHistograms& timing) const {

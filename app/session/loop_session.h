@@ -23,6 +23,7 @@
 #include "app/session/parameter_history.h"
 #include "app/session/plant_keeper.h"
 #include "app/session/recorder.h"
+#include "app/session/stream_events.h"
 
 namespace hapticwall::session {
 
@@ -60,6 +61,7 @@ class LoopSession final : public LiveSession {
   [[nodiscard]] RecordingStatus recording_status() const override;
   [[nodiscard]] Failure mark(std::string_view text) override;
   void name_mark(std::string_view text) override;
+  void add_event(std::string_view name, std::string_view more) override;
   [[nodiscard]] std::span<const file::Mark> marks() const override { return marks_; }
   [[nodiscard]] const RealtimeStatus& realtime_status() const override { return realtime_; }
   [[nodiscard]] const device::DeviceInfo& device_info() const override { return device_info_; }
@@ -87,6 +89,7 @@ class LoopSession final : public LiveSession {
   // Metadata of the recording, with the changes before `end_tick`.
   [[nodiscard]] file::RecordingMetadata metadata(std::uint64_t end_tick) const;
   [[nodiscard]] bool hand_was_led() const;
+  [[nodiscard]] EventTick newest_tick() const;
   void note_recording();
   [[nodiscard]] std::vector<file::Mark> recorded_marks() const;
   [[nodiscard]] std::uint64_t dropped_rows() const;
@@ -111,6 +114,7 @@ class LoopSession final : public LiveSession {
   std::string recording_start_time_;
   std::string recording_path_;
   Failure recording_failure_;  // failure of the newest recording, after its end
+  StreamEvents events_;
   std::vector<file::Mark> marks_;
   std::uint64_t marks_revision_ = 0;
   std::size_t first_mark_ = 0;  // first mark of the newest recording

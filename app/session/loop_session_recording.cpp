@@ -162,6 +162,7 @@ Failure LoopSession::mark(std::string_view text) {
   const std::uint64_t tick = present.resets == resets_sent_ ? present.newest.x().tick : 0;
   marks_.push_back({tick, file::mark_text(text)});
   ++marks_revision_;
+  events_.mark({tick, static_cast<double>(tick) * scene().sampling.period_s()}, marks_.back().text);
   return std::nullopt;
 }
 
@@ -169,6 +170,9 @@ void LoopSession::name_mark(std::string_view text) {
   if (!recorder_.running() || marks_.size() <= first_mark_) return;
   marks_.back().text = file::mark_text(text);
   ++marks_revision_;
+  events_.mark(
+      {marks_.back().tick, static_cast<double>(marks_.back().tick) * scene().sampling.period_s()},
+      marks_.back().text);
 }
 
 // Clamps every mark to a recorded row, because the loop may start or end later than asked.

@@ -35,6 +35,10 @@ class ParameterHistory {
   // True if the loop has echoed the start of this run; until then the history belongs to the
   // previous run.
   [[nodiscard]] bool knows_start() const { return knows_start_; }
+  // Index of the algorithm of the newest echo.
+  [[nodiscard]] std::size_t algorithm_in_force() const {
+    return published_.front().adjustment.algorithm.index;
+  }
   // Increases with every echo.
   [[nodiscard]] std::uint64_t revision() const { return revision_; }
   // Changes since tick 0 that were in force before `end_tick`, in order; scenes without hand paths.

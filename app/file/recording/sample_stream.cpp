@@ -42,6 +42,15 @@ int open_pipe(const OutputPlace& place) {
   return descriptor;
 }
 
+// Samples among these lines; events and the end are none.
+std::uint64_t samples_in(std::string_view text) {
+  constexpr std::string_view kSample = "{\"tick\":";
+  std::uint64_t samples = 0;
+  for (const std::string_view line : split(text, '\n'))
+    samples += line.starts_with(kSample) ? 1U : 0U;
+  return samples;
+}
+
 int open_new(const OutputPlace& place) {
   return ::open(place.path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, kStreamFileMode);
 }
@@ -110,6 +119,15 @@ void SampleStream::take(StreamFeed& feed, const Tick& tick) {
   append_json_object(pending_, tick, feed.columns, lost_);
   if (in_file_) keep_in_page(line);
   ++samples_;
+}
+
+void SampleStream::add_event(std::string_view object) {
+  const std::scoped_lock lock(mutex_);
+  if (descriptor_ < 0 || feeds_ == 0 || object.size() > kMaxEventBytes) return;
+  if (pending_.size() >= kMaxPendingBytes) return;
+  const std::size_t line = pending_.size();
+  pending_.append(object) += '\n';
+  if (in_file_) keep_in_page(line);
 }
 
 // Starts the newest line, at `line` of pending_, on a new page if it does not fit: spaces before
@@ -197,10 +215,10 @@ void SampleStream::finish() {
   if (in_file_) keep_in_page(line);
   ending_ = true;
   write_pending();
-  const auto unread = static_cast<std::uint64_t>(std::ranges::count(pending_, '\n'));
+  const std::uint64_t unread = samples_in(pending_);
   const std::uint64_t all = samples_ + lost_;
   if (descriptor_ < 0) return;
-  lost_ += unread > 0 ? unread - 1 : 0;
+  lost_ += unread;
   if (lost_ > 0)
     tell(fmt::format("{} of {} samples were lost: the reader is too slow", lost_, all));
   close_file();

@@ -9,6 +9,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "app/file/recording/recording_rows.h"
 #include "core/result.h"
@@ -59,6 +60,10 @@ class SampleStream {
   // Buffers every n-th tick. Ticks that are missing since the last one count as lost; a tick that
   // is not finite does not.
   void take(StreamFeed& feed, const Tick& tick);
+  // Buffers one event, a JSON object without a line end of at most kMaxEventBytes. No effect before
+  // begin(). A reader that is too slow loses events, too; they count in no number.
+  void add_event(std::string_view object);
+  static constexpr std::size_t kMaxEventBytes = 2048;
   // Writes what is buffered and detects a reader that has left.
   void flush();
   // Writes the last line and closes the stream. If the stream does not wait, a reader that takes

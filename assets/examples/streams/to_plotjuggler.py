@@ -16,5 +16,5 @@ for line in sys.stdin:
     sample = json.loads(line)
     if "end" in sample:
         print(f"{sample['samples']} samples, {sample['lost']} lost", file=sys.stderr)
-    else:
+    elif "event" not in sample:
         plotter.sendto(line.encode(), (host, port))

@@ -10,6 +10,7 @@
 #include <sys/un.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <csignal>
 #include <cstdlib>
@@ -277,18 +278,26 @@ TEST_F(StreamBridgeTest, PlotJugglerGetsADatagramASample) {
   close(port);
 }
 
+// An event among the samples, as the window writes it.
+const std::string kEvent = R"(sed '3i {"event":"mark","tick":150,"time_s":0.15,"text":"here"}')";
+
 TEST_F(StreamBridgeTest, AnMcapFileHasEverySample) {
   if (!can_import("mcap.reader")) GTEST_SKIP() << "mcap: " << kNoPackage;
-  const Answer answer = shell("$P run press --csv a.csv --stream - --stream-every 100 | " +
-                              bridge("to_mcap.py") + " a.mcap");
+  const Answer answer = shell("$P run press --csv a.csv --stream - --stream-every 100 | " + kEvent +
+                              " | " + bridge("to_mcap.py") + " a.mcap");
   ASSERT_EQ(answer.status, 0) << answer.err;
   put("read.py",
       "from mcap.reader import make_reader\n"
       "for _, channel, message in make_reader(open('a.mcap', 'rb')).iter_messages():\n"
       "    print(channel.topic, message.log_time, message.data.decode().strip())\n");
-  const auto read = lines(shell("'" + python() + "' read.py").out);
+  auto read = lines(shell("'" + python() + "' read.py").out);
   const auto rows = lines(content("a.csv"));
-  ASSERT_EQ(read.size(), 60U);
+  ASSERT_EQ(read.size(), 61U);
+  const std::string event = "/hapticwall/events 150000000 {\"event\":\"mark\",\"tick\":150,";
+  const auto found =
+      std::ranges::find_if(read, [&](const auto& line) { return line.starts_with(event); });
+  ASSERT_NE(found, read.end());
+  read.erase(found);
   for (std::size_t i = 0; i < read.size(); ++i) {
     const std::string begin = "/hapticwall " + std::to_string(i * 100'000'000) + " ";
     ASSERT_THAT(read[i], StartsWith(begin));
@@ -304,6 +313,10 @@ TEST_F(StreamBridgeTest, AnLslInletGetsEverySample) {
   put("inlet.py",
       "import pylsl\n"
       "found = pylsl.resolve_byprop('source_id', 'test-' + open('id').read(), timeout=60)\n"
+      "marks = pylsl.resolve_byprop('source_id', 'test-' + open('id').read() + '-events', "
+      "timeout=60)\n"
+      "marks = pylsl.StreamInlet(marks[0])\n"
+      "marks.open_stream(timeout=60)\n"
       "inlet = pylsl.StreamInlet(found[0])\n"
       "info = inlet.info(timeout=60)\n"
       "channel = info.desc().child('channels').child('channel')\n"
@@ -313,15 +326,17 @@ TEST_F(StreamBridgeTest, AnLslInletGetsEverySample) {
       "    channel = channel.next_sibling()\n"
       "for _ in range(60):\n"
       "    values, _ = inlet.pull_sample(timeout=60)\n"
-      "    print(*[repr(values[names.index(n)]) for n in ('tick', 'position_m', 'force_n')])\n");
+      "    print(*[repr(values[names.index(n)]) for n in ('tick', 'position_m', 'force_n')])\n"
+      "print(marks.pull_sample(timeout=60)[0][0])\n");
   const Answer answer =
       shell("printf %s $$ >id; '" + python() +
             "' inlet.py & $P run press --csv a.csv --quiet --stream - " + "--stream-every 100 | " +
-            bridge("to_lsl.py") + " test-$(cat id) 60; wait");
+            kEvent + " | " + bridge("to_lsl.py") + " test-$(cat id) 60; wait");
   const auto read = lines(answer.out);
   const auto rows = lines(content("a.csv"));
-  ASSERT_EQ(read.size(), 60U) << answer.err;
-  for (std::size_t i = 0; i < read.size(); ++i) {
+  ASSERT_EQ(read.size(), 61U) << answer.err;
+  EXPECT_EQ(read.back(), R"({"event":"mark","tick":150,"time_s":0.15,"text":"here"})");
+  for (std::size_t i = 0; i < 60; ++i) {
     const auto wanted = file::split(rows.at(i * 100 + 1), ',');
     const auto values = file::split(read[i], ' ');
     EXPECT_EQ(file::parsed<double>(values.at(0)), file::parsed<double>(wanted[0]));

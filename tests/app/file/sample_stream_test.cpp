@@ -55,6 +55,30 @@ class SampleStreamTest : public hapticwall::test::FolderTest {
   StreamFeed feed_;
 };
 
+TEST_F(SampleStreamTest, EventsStandBetweenTheSamplesAndCountInNoNumber) {
+  open();
+  take(0, 2);
+  stream_->add_event(R"({"event":"mark","tick":1})");
+  stream_->add_event(std::string(SampleStream::kMaxEventBytes + 1, ' '));
+  take(2, 3);
+  stream_->finish();
+  const auto objects = reader_.objects();
+  ASSERT_EQ(objects.size(), 5U);
+  EXPECT_EQ(objects[2]["event"], "mark");
+  EXPECT_EQ(objects[4], nlohmann::json::parse(R"({"end":true,"samples":3,"lost":0})"));
+}
+
+TEST_F(SampleStreamTest, UnreadEventsAreNoLostSamples) {
+  open();
+  take(0, kTooMany);
+  for (int i = 0; i < 5; ++i) stream_->add_event(R"({"event":"mark"})");
+  const std::uint64_t lost = stream_->lost();
+  stream_->finish();
+  const auto samples = ticks_in(reader_.objects()).size();
+  EXPECT_GT(lost, 0U);
+  EXPECT_EQ(samples + stream_->lost(), kTooMany);
+}
+
 TEST_F(SampleStreamTest, AnObjectHasTheNamesAndNumbersOfTheRow) {
   for (const bool simulated : {true, false}) {
     for (const std::uint8_t axes : {std::uint8_t{1}, std::uint8_t{2}}) {

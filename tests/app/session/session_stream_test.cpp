@@ -9,6 +9,7 @@
 #include <thread>
 #include <vector>
 
+#include "core/algorithm/algorithm.h"
 #include "tests/app/file/stream_support.h"
 #include "tests/app/session/session_support.h"
 
@@ -128,6 +129,35 @@ TEST_F(SessionStream, ARecordingInItsMiddleHasItsOwnTicksAlone) {
   const auto objects = reader_.objects();
   EXPECT_EQ(ticks_in(objects).size(), 300U);
   EXPECT_EQ(objects.back()["lost"], 0) << "a paused session loses nothing";
+}
+
+TEST_F(SessionStream, TellsMarksSwitchesAndEventsOfTheWindow) {
+  start();
+  step(10);
+  ASSERT_FALSE(session_->start_recording(folder_.file("a.csv")));
+  step(10);
+  ASSERT_FALSE(session_->mark("a \"mark\""));
+  AlgorithmSettings algorithm;
+  algorithm.index = *find_algorithm("half-sample");
+  ASSERT_FALSE(session_->set_algorithm(algorithm));
+  step(10);
+  static_cast<void>(session_->snapshot());
+  session_->add_event("trial", ",\"trial\":3");
+  step(10);
+  session_.reset();
+  std::vector<std::string> events;
+  for (const auto& object : reader_.objects())
+    if (object.contains("event")) events.push_back(object.dump());
+  const double period_s = contact_scene().sampling.period_s();
+  const auto event = [&](std::uint64_t tick, nlohmann::json more) {
+    more["tick"] = tick;
+    more["time_s"] = static_cast<double>(tick) * period_s;
+    return more.dump();
+  };
+  EXPECT_THAT(events,
+              ::testing::ElementsAre(event(19, {{"event", "mark"}, {"text", "a \"mark\""}}),
+                                     event(20, {{"event", "algorithm"}, {"name", "half-sample"}}),
+                                     event(29, {{"event", "trial"}, {"trial", 3}})));
 }
 
 TEST_F(SessionStream, GoesOnFromTickZeroAfterAReset) {
