@@ -1,6 +1,6 @@
 # Fails when an #include line goes against the arrows of the house:
 #   core <- device <- app/session <- app/ui, app/command; app/file stands on core alone;
-#   core, app/file <- app/compare, app/draw, app/table; app/compare, app/draw, app/table <- app/ui; app/draw <- app/command;
+#   core, app/file <- app/compare, app/draw, app/table; app/compare, app/draw, app/table <- app/ui; app/compare, app/draw <- app/command;
 #   app/table, the data of app/draw <- app/study <- app/ui, app/command;
 #   core <- app/sound/signal <- app/command; app/sound/signal, app/session, device <- app/sound/live <- app/ui;
 #   core, app/file, app/table <- app/command/report <- app/command; core, app/file, app/session, app/table, app/study <- app/python.
@@ -27,7 +27,7 @@ set(may_include_app/sound/signal core app/sound/signal)
 set(may_include_app/sound/live core device app/session app/sound/signal app/sound/live)
 set(may_include_app/ui core device app/file app/session app/compare app/table app/draw app/study app/sound/live app/ui)
 set(may_include_app/command/report core app/file app/table app/command/report)
-set(may_include_app/command core device app/file app/session app/table app/draw app/study app/sound/signal app/command/report app/command)
+set(may_include_app/command core device app/file app/session app/compare app/table app/draw app/study app/sound/signal app/command/report app/command)
 set(may_include_app/python core app/file app/session app/table app/study app/python)
 set(may_include_app ${layers})
 set(may_include_tests ${layers})

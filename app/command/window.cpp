@@ -13,6 +13,7 @@
 #include "app/command/commands.h"
 #include "app/command/common_options.h"
 #include "app/command/device_choice.h"
+#include "app/command/rehearsal.h"
 #include "app/command/replay_window.h"
 #include "app/command/signals.h"
 #include "app/command/usage.h"
@@ -41,13 +42,16 @@ struct LookOptions {
   double scale = 0.0;  // 0: not given
   StreamChoice stream;
   session::ExperimentChoice trials;
+  bool rehearses = false;
   bool signals = false;
 };
 
-void add_trial_options(CLI::App& program, session::ExperimentChoice& choice) {
+void add_trial_options(CLI::App& program, LookOptions& look) {
+  session::ExperimentChoice& choice = look.trials;
   program
       .add_option("--trials", choice.list,
-                  "Run the trials of this list as a blind experiment; needs --participant")
+                  "Run the trials of this list as a blind experiment; needs --participant; - takes "
+                  "each trial from another program, by standard input and output")
       ->type_name("LIST.csv");
   program.add_option("--participant", choice.participant, "Participant of the experiment")
       ->type_name("P");
@@ -57,6 +61,9 @@ void add_trial_options(CLI::App& program, session::ExperimentChoice& choice) {
       .add_option("--answers", choice.answers,
                   "Answers of the experiment (default: LIST-P-S.csv); an interrupted list resumes")
       ->type_name("FILE.csv");
+  program.add_flag("--rehearse", look.rehearses,
+                   "With --trials -: no window; the scene's hand presses, and the other program "
+                   "chooses as a simulated observer");
 }
 
 // An algorithm among `overrides` wins over --algorithm.
@@ -73,8 +80,11 @@ session::SceneWith scene_with(SceneOptions options) {
 }
 
 // Null without --trials.
-Result<std::shared_ptr<session::Experiment>> open_trials(session::ExperimentChoice choice,
+Result<std::shared_ptr<session::Experiment>> open_trials(const LookOptions& look,
                                                          const SceneOptions& options) {
+  session::ExperimentChoice choice = look.trials;
+  if (look.rehearses && choice.list != session::kPiped)
+    return usage_error("--rehearse: it needs --trials -");
   if (choice.list.empty()) {
     for (const auto& [name, value] : {std::pair("--participant", choice.participant),
                                       {"--session", choice.session},
@@ -88,6 +98,10 @@ Result<std::shared_ptr<session::Experiment>> open_trials(session::ExperimentChoi
   if (choice.answers == kStandardOutput) return usage_error("--answers -: it takes a file name");
   if (choice.session.empty()) choice.session = "1";
   choice.on_device = options.device != kSimulator;
+  if (look.rehearses && choice.on_device)
+    return usage_error("--rehearse: it runs on the simulator alone; leave out --device");
+  if (choice.list == session::kPiped && look.stream.path == kStandardOutput)
+    return usage_error("--stream - and --trials -: both take standard output; stream to a file");
   return session::open_experiment(choice, scene_with(options));
 }
 
@@ -140,8 +154,9 @@ Result<int> open_window(const SceneOptions& options, const LookOptions& look, bo
   Result<file::LoadedScene> loaded = load(options);
   if (!loaded) return loaded.error();
   if (!device->hardware) tell_difference(*loaded);
-  const auto experiment = open_trials(look.trials, options);
+  const auto experiment = open_trials(look, options);
   if (!experiment) return experiment.error();
+  if (look.rehearses) return rehearse(**experiment);
   const auto stream = open_stream(look.stream, {});
   if (!stream) return stream.error();
   session::SessionOptions session;
@@ -181,7 +196,7 @@ Action add_window(CLI::App& program, session::OpenWindow open) {
   add_device_options(program, *options);
   add_stream_options(program, look->stream);
   add_signals_option(program, look->signals, "recordings and the stream");
-  add_trial_options(program, look->trials);
+  add_trial_options(program, *look);
   constexpr float kMin = session::kMinScalePercent / kFullScalePercent;
   constexpr float kMax = session::kMaxScalePercent / kFullScalePercent;
   program

@@ -84,11 +84,29 @@ Result<BlindTrials> BlindTrials::create(const TrialPlan& plan) {
     return usage_error(
         fmt::format("a confidence of {}: it takes more than 0 and less than 1", plan.confidence));
   }
-  return BlindTrials(plan);
+  return BlindTrials(plan, false);
 }
 
-BlindTrials::BlindTrials(const TrialPlan& plan)
-    : plan_(plan), first_(first_slots(plan)), planned_(count_trials(plan)) {}
+BlindTrials BlindTrials::begin_open(std::uint64_t seed, double confidence) {
+  return {{seed, {}, confidence}, true};
+}
+
+BlindTrials::BlindTrials(const TrialPlan& plan, bool open)
+    : plan_(plan), first_(first_slots(plan)), open_(open), planned_(count_trials(plan)) {}
+
+// The order of a trial depends on the seed and its place alone, as after a restart.
+void BlindTrials::add(const file::TrialSpec& trial) {
+  plan_.trials.push_back(trial);
+  if (trial.kind == file::TrialKind::kBreak) {
+    first_.push_back(Slot::kA);
+    return;
+  }
+  if (planned_ % kBalanced == 0) {
+    Random random(plan_.seed + planned_ / kBalanced);
+    block_ = balanced_order(kBalanced, random);
+  }
+  first_.push_back(block_[planned_++ % kBalanced]);
+}
 
 Slot BlindTrials::slot_of(Presentation presentation) const {
   const Slot first = first_[place_];
@@ -107,6 +125,7 @@ Slot BlindTrials::present(Presentation presentation, double now_s) {
 
 Result<file::Answer> BlindTrials::answer(Presentation presentation, double now_s) const {
   if (finished()) return usage_error("all trials were answered");
+  if (awaits()) return usage_error("the next trial has not come yet");
   if (!felt_first_ || !felt_second_) return usage_error("feel both before choosing one");
   file::Answer answer;
   answer.trial = spec().number;
@@ -121,6 +140,7 @@ Result<file::Answer> BlindTrials::answer(Presentation presentation, double now_s
   answer.looks = looks_;
   answer.seconds = now_s - began_s_;
   answer.seed = plan_.seed;
+  answer.extras = spec().extras;
   return answer;
 }
 

@@ -33,18 +33,31 @@ class BlindTrials {
   // Fails (exit status 2) if the plan is out of range.
   [[nodiscard]] static Result<BlindTrials> create(const TrialPlan& plan);
 
+  // Trials that come one at a time, with add(). Within each kBalanced of them A and B are first
+  // equally often, whatever they are.
+  [[nodiscard]] static BlindTrials begin_open(std::uint64_t seed, double confidence);
+  static constexpr std::size_t kBalanced = 8;
+
+  // Adds a trial or a break. Preconditions: open(), fewer than kMaxTrials rows.
+  void add(const file::TrialSpec& trial);
+  // No trial will be added.
+  void close() { open_ = false; }
+  [[nodiscard]] bool open() const { return open_; }
+  // True if the next trial was not added yet: there is no present row.
+  [[nodiscard]] bool awaits() const { return open_ && place_ == plan_.trials.size(); }
+
   [[nodiscard]] const TrialPlan& plan() const { return plan_; }
-  // Number of trials, breaks not counted
+  // Number of trials, breaks not counted; those so far while open()
   [[nodiscard]] std::size_t planned() const { return planned_; }
   // Counted from 0; planned() at the end.
   [[nodiscard]] std::size_t trial() const { return trial_; }
-  [[nodiscard]] bool finished() const { return trial_ == planned_; }
+  [[nodiscard]] bool finished() const { return !open_ && trial_ == planned_; }
 
-  // The present row of the list: a trial, or a break. Precondition: not finished.
+  // The present row of the list: a trial, or a break. Precondition: neither finished nor awaits().
   [[nodiscard]] std::size_t place() const { return place_; }
   [[nodiscard]] const file::TrialSpec& spec() const { return plan_.trials[place_]; }
   [[nodiscard]] bool at_break() const {
-    return !finished() && spec().kind == file::TrialKind::kBreak;
+    return !finished() && !awaits() && spec().kind == file::TrialKind::kBreak;
   }
   // Ends the break.
   void go_on();
@@ -55,22 +68,24 @@ class BlindTrials {
   }
 
   // Presents this wall at this time (seconds of any monotonic clock). Returns its slot, for the
-  // session only. Precondition: neither finished nor at a break.
+  // session only. Precondition: neither finished nor at a break nor awaits().
   Slot present(Presentation presentation, double now_s);
 
   // The answer to the present trial, with everything known about it. Fails (exit status 2) before
   // both slots were felt, at a break, and after the end.
   [[nodiscard]] Result<file::Answer> answer(Presentation presentation, double now_s) const;
   // The present trial is answered, now or in a session before: starts the next one. Skips breaks.
-  // Precondition: not finished.
+  // Precondition: not finished, and not awaits().
   void take();
 
  private:
-  explicit BlindTrials(const TrialPlan& plan);
+  BlindTrials(const TrialPlan& plan, bool open);
   [[nodiscard]] Slot slot_of(Presentation presentation) const;
 
   TrialPlan plan_;
   std::vector<Slot> first_;  // slot of the first presentation, for every row
+  bool open_ = false;
+  std::vector<Slot> block_;  // first slots of the present kBalanced trials
   std::size_t planned_ = 0;
   std::size_t trial_ = 0;
   std::size_t place_ = 0;

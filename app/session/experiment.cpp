@@ -1,6 +1,7 @@
 #include "app/session/experiment.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <optional>
@@ -9,7 +10,6 @@
 #include "app/file/disk/sha256.h"
 #include "app/file/scene/scene_file.h"
 #include "app/file/text/text.h"
-#include "app/session/scene_change.h"
 #include "hapticwall_version.h"
 
 namespace hapticwall::session {
@@ -32,57 +32,22 @@ std::string sha256_of_text(std::string_view text) {
   return digest.finish();
 }
 
-// Why the session that runs `base` cannot run `slot`; empty if it can.
-std::string obstacle(const Scene& base, const Scene& slot, bool on_device) {
-  if (const auto problem = needs_new_session(base, slot))
-    return fmt::format("{}: {}", problem->key, problem->message);
-  if (slot.duration_s != base.duration_s || slot.name != base.name ||
-      slot.description != base.description)
-    return "name, description and duration_s are those of the session";
-  if (!on_device) return "";
-  for (std::size_t i = 0; i < base.axes.size(); ++i) {
-    if (slot.axes[i].hand != base.axes[i].hand) return "a device has no simulated hand";
+Result<std::vector<SlotScenes>> load_slots(const SlotLoader& loader, const file::TrialList& list,
+                                           const std::string& path) {
+  std::vector<SlotScenes> scenes;
+  for (const file::TrialSpec& trial : list.trials) {
+    Result<SlotScenes> both = loader.load(trial);
+    if (!both) {
+      return usage_error(
+          fmt::format("{}:{}: {}", file::shown(path), trial.line, both.error().message));
+    }
+    scenes.push_back(std::move(*both));
   }
-  return slot.simulator == base.simulator ? "" : "a device has no simulator";
+  return scenes;
 }
 
-// Loads the slots of a list.
-class SlotLoader {
- public:
-  SlotLoader(const SceneWith& scene_with, Scene base, bool on_device)
-      : scene_with_(scene_with), base_(std::move(base)), on_device_(on_device) {}
-
-  Result<std::vector<SlotScenes>> load(const file::TrialList& list, const std::string& path) const {
-    std::vector<SlotScenes> scenes;
-    for (const file::TrialSpec& trial : list.trials) {
-      scenes.push_back({base_, base_});
-      for (std::size_t i = 0; i < trial.slots.size(); ++i) {
-        Result<Scene> scene = slot_scene(trial.slots[i]);
-        if (!scene) {
-          return usage_error(fmt::format("{}:{}: {}: {}", file::shown(path), trial.line,
-                                         i == 0 ? "a" : "b", scene.error().message));
-        }
-        scenes.back()[i] = std::move(*scene);
-      }
-    }
-    return scenes;
-  }
-
- private:
-  [[nodiscard]] Result<Scene> slot_scene(const std::string& slot) const {
-    Result<Scene> scene = scene_with_(file::slot_overrides(slot));
-    if (!scene) return scene;
-    const std::string why = obstacle(base_, *scene, on_device_);
-    return why.empty() ? scene : usage_error(fmt::format("{}: {}", file::shown(slot), why));
-  }
-
-  const SceneWith& scene_with_;
-  Scene base_;
-  bool on_device_;
-};
-
 // Each participant has an order of their own, the same after a restart.
-file::Answer identity_of(const ExperimentChoice& choice, const file::TrialList& list,
+file::Answer identity_of(const ExperimentChoice& choice, const std::string& list_sha256,
                          const Scene& base) {
   constexpr int kHexadecimal = 16;
   constexpr std::size_t kSeedDigits = 13;
@@ -92,9 +57,9 @@ file::Answer identity_of(const ExperimentChoice& choice, const file::TrialList& 
   identity.session = choice.session;
   identity.program = fmt::format("{} ({})", kVersion, kBuild);
   identity.scene_sha256 = sha256_of_text(file::scene_to_toml(base));
-  identity.list_sha256 = list.sha256;
+  identity.list_sha256 = list_sha256;
   const std::string mixed =
-      sha256_of_text(fmt::format("{}\n{}\n{}", list.sha256, choice.participant, choice.session));
+      sha256_of_text(fmt::format("{}\n{}\n{}", list_sha256, choice.participant, choice.session));
   identity.seed =
       *file::parsed<std::uint64_t>(std::string_view(mixed).substr(0, kSeedDigits), kHexadecimal);
   return identity;
@@ -121,26 +86,67 @@ Failure check_order(const Experiment& experiment) {
                                  file::shown(experiment.answers.path())));
 }
 
-}  // namespace
+std::string stem_of(const std::string& path) { return std::filesystem::path(path).stem().string(); }
 
-Result<std::shared_ptr<Experiment>> open_experiment(const ExperimentChoice& choice,
-                                                    const SceneWith& scene_with) {
-  if (const Failure failure = check_name("--participant", choice.participant)) return *failure;
-  if (const Failure failure = check_name("--session", choice.session)) return *failure;
+Result<std::shared_ptr<Experiment>> open_listed(const ExperimentChoice& choice,
+                                                const SceneWith& scene_with) {
   Result<file::TrialList> list = file::read_trial_list(choice.list);
   if (!list) return list.error();
   const Result<Scene> base = scene_with({});
   if (!base) return base.error();
-  auto scenes = SlotLoader(scene_with, *base, choice.on_device).load(*list, choice.list);
+  auto scenes = load_slots(SlotLoader(scene_with, *base, choice.on_device), *list, choice.list);
   if (!scenes) return scenes.error();
-  const std::string name = std::filesystem::path(choice.list).stem().string();
-  auto answers =
-      file::AnswersFile::open(answers_path(choice, name), identity_of(choice, *list, *base));
+  const std::string name = stem_of(choice.list);
+  const file::AnswerColumns columns{true, keys_of(list->trials), list->extras};
+  auto answers = file::AnswersFile::open(answers_path(choice, name),
+                                         identity_of(choice, list->sha256, *base), columns);
   if (!answers) return answers.error();
   auto experiment = std::make_shared<Experiment>(
-      Experiment{name, std::move(list->trials), std::move(*scenes), std::move(*answers)});
+      Experiment{name, std::move(list->trials), std::move(*scenes), std::move(*answers), nullptr});
   if (const Failure failure = check_order(*experiment)) return *failure;
   return experiment;
+}
+
+// In the place of the hash of a list.
+constexpr std::string_view kNoList = "trials from a pipe";
+
+Result<std::shared_ptr<Experiment>> open_piped(const ExperimentChoice& choice,
+                                               const SceneWith& scene_with,
+                                               std::unique_ptr<LinePipe> pipe) {
+  if (choice.answers.empty()) return usage_error("--trials -: it needs --answers FILE.csv");
+  const Result<Scene> base = scene_with({});
+  if (!base) return base.error();
+  auto answers = file::AnswersFile::open(
+      choice.answers, identity_of(choice, sha256_of_text(kNoList), *base), std::nullopt);
+  if (!answers) return answers.error();
+  if (!pipe) {
+    auto opened = LinePipe::open(STDIN_FILENO, STDOUT_FILENO, file::kMaxMessageBytes);
+    if (!opened) return opened.error();
+    pipe = std::move(*opened);
+  }
+  auto feed =
+      std::make_unique<TrialFeed>(std::move(pipe), SlotLoader(scene_with, *base, choice.on_device));
+  auto experiment = std::make_shared<Experiment>(
+      Experiment{stem_of(choice.answers), {}, {}, std::move(*answers), std::move(feed)});
+  experiment->feed->begin(*experiment);
+  return experiment;
+}
+
+}  // namespace
+
+std::vector<std::string> values_at(const Experiment& experiment, std::size_t place) {
+  const auto& columns = experiment.answers.columns();
+  if (!columns) return {};
+  return values_of(columns->keys, experiment.trials[place], experiment.scenes[place]);
+}
+
+Result<std::shared_ptr<Experiment>> open_experiment(const ExperimentChoice& choice,
+                                                    const SceneWith& scene_with,
+                                                    std::unique_ptr<LinePipe> pipe) {
+  if (const Failure failure = check_name("--participant", choice.participant)) return *failure;
+  if (const Failure failure = check_name("--session", choice.session)) return *failure;
+  return choice.list == kPiped ? open_piped(choice, scene_with, std::move(pipe))
+                               : open_listed(choice, scene_with);
 }
 
 }  // namespace hapticwall::session

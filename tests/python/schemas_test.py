@@ -135,7 +135,8 @@ WRONG = {
     "comparison": [((0, "scene"), ...), ((0,), 3), ((0, "contacts"), "1")],
     "map": [(("x",), ...), (("x", "count"), 0), (("algorithms", 0, "settled"), ...), (("algorithms", 0, "calm"), 1)],
     "boundary": [(("tolerance",), 0), (("boundaries", 0, "changes"), ...), (("boundaries", 0, "surprise"), 1.0)],
-    "trials": [((0, "a"), ...), ((0, "kind"), "tests"), ((0, "correct"), "B"), ((0, "trial"), "0"), ((1, "a"), "x=1")],
+    "trials": [((0, "a"), ...), ((0, "kind"), "tests"), ((0, "correct"), "B"), ((0, "trial"), "0"), ((1, "a"), "x=1"),
+               ((0, "seed"), "1"), ((0, "a.step"), "1"), ((0, ""), "1")],
     "answers": [((0, "seed"), ...), ((0, "chosen"), "a"), ((0, "time_utc"), "today"), ((0, "scene_sha256"), "0")],
 }  # fmt: skip
 

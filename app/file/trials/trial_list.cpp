@@ -10,6 +10,7 @@
 #include "app/file/disk/sha256.h"
 #include "app/file/disk/small_file.h"
 #include "app/file/text/text.h"
+#include "app/file/trials/answer.h"
 #include "core/text.h"
 
 namespace hapticwall::file {
@@ -82,26 +83,47 @@ constexpr std::array kListColumns{ListColumn{"trial", read_number},
                                   ListColumn{"correct", read_correct}};
 
 // The place of each column in the rows; nullopt: absent.
-using Places = std::array<std::optional<std::size_t>, kListColumns.size()>;
+struct Places {
+  std::array<std::optional<std::size_t>, kListColumns.size()> known;
+  std::vector<std::size_t> extras;
+};
+
+std::vector<std::string_view> column_names() { return names_of(kListColumns, &ListColumn::name); }
+
+// Problem of the name of a further column, or "". A name that is nearly one of ours is a slip.
+std::string extra_problem(std::string_view name, const std::vector<std::string_view>& absent) {
+  if (name.empty()) return "a column has no name";
+  if (name.size() > kMaxTrialBytes)
+    return fmt::format("a column's name is longer than {} bytes", kMaxTrialBytes);
+  if (is_answer_column(name) || name.starts_with("a.") || name.starts_with("b."))
+    return in_quotes(name) + " is a column of the answers; choose another name";
+  const std::string hint = suggestion(name, absent);
+  return hint.empty() ? "" : fmt::format("{} is no column{}", in_quotes(name), hint);
+}
+
+Failure check_needed(const Places& places) {
+  for (const std::size_t needed : {3U, 4U}) {
+    if (!places.known.at(needed))
+      return usage_error(fmt::format("the column {} is missing", kListColumns.at(needed).name));
+  }
+  return std::nullopt;
+}
 
 Result<Places> places_of(const std::vector<std::string>& header) {
-  const std::vector<std::string_view> names = names_of(kListColumns, &ListColumn::name);
+  const std::vector<std::string_view> names = column_names();
   Places places;
   for (std::size_t i = 0; i < header.size(); ++i) {
     const auto found = std::ranges::find(names, header[i]);
-    if (found == names.end()) {
-      const std::string hint = suggestion(header[i], names);
-      return usage_error(fmt::format("{} is no column{}", in_quotes(header[i]),
-                                     hint.empty() ? "; it takes " + joined(names) : hint));
+    if (std::ranges::count(header, header[i]) > 1)
+      return usage_error(fmt::format("two columns {}", shown(header[i])));
+    if (found != names.end()) {
+      places.known.at(static_cast<std::size_t>(found - names.begin())) = i;
+      continue;
     }
-    auto& place = places.at(static_cast<std::size_t>(found - names.begin()));
-    if (place) return usage_error(fmt::format("two columns {}", *found));
-    place = i;
+    places.extras.push_back(i);
   }
-  for (const std::size_t needed : {3U, 4U}) {
-    if (!places.at(needed))
-      return usage_error(fmt::format("the column {} is missing", kListColumns.at(needed).name));
-  }
+  if (const Failure failure = check_extra_columns(header)) return *failure;
+  if (const Failure failure = check_needed(places)) return *failure;
   return places;
 }
 
@@ -120,17 +142,27 @@ std::string problem_of(const TrialSpec& trial) {
   return "";
 }
 
-Result<TrialSpec> read_row(const std::vector<std::string>& fields, const Places& places) {
+// `field_of(i)`: the field of a column of kListColumns, nullopt if absent.
+template <typename FieldOf>
+Result<TrialSpec> read_known(const FieldOf& field_of) {
   TrialSpec trial;
   for (std::size_t i = 0; i < kListColumns.size(); ++i) {
-    const std::string field = places[i] ? std::string(trimmed(fields[*places[i]])) : "";
-    if (!places[i] && kListColumns[i].read == read_number) continue;
-    const std::string problem = kListColumns[i].read(field, trial);
+    const std::optional<std::string> found = field_of(i);
+    if (!found && kListColumns[i].read == read_number) continue;
+    const std::string problem =
+        kListColumns[i].read(std::string(trimmed(found.value_or(""))), trial);
     if (!problem.empty()) return usage_error(fmt::format("{}: {}", kListColumns[i].name, problem));
   }
   const std::string problem = problem_of(trial);
   if (!problem.empty()) return usage_error(problem);
   return trial;
+}
+
+Failure add_extra(TrialSpec& trial, std::string_view name, const std::string& field) {
+  if (field.size() > kMaxTrialBytes)
+    return usage_error(fmt::format("{}: longer than {} bytes", shown(name), kMaxTrialBytes));
+  trial.extras.push_back(field);
+  return std::nullopt;
 }
 
 bool has_control(std::string_view line) {
@@ -175,17 +207,24 @@ class ListReader {
     const Result<Places> places = places_of(fields);
     if (!places) return places.error();
     places_ = *places;
-    columns_ = fields.size();
+    header_ = fields;
+    for (const std::size_t place : places_->extras) list_.extras.push_back(fields[place]);
     return std::nullopt;
   }
   Failure add_row(const std::vector<std::string>& fields) {
-    if (fields.size() != columns_)
-      return usage_error(fmt::format("{} fields for {} columns", fields.size(), columns_));
+    if (fields.size() != header_.size())
+      return usage_error(fmt::format("{} fields for {} columns", fields.size(), header_.size()));
     if (list_.trials.size() == kMaxTrials)
       return usage_error(fmt::format("more than {} trials", kMaxTrials));
-    Result<TrialSpec> trial = read_row(fields, *places_);
+    Result<TrialSpec> trial = read_known([&](std::size_t i) {
+      const auto& place = places_->known.at(i);
+      return place ? std::optional(fields[*place]) : std::nullopt;
+    });
     if (!trial) return trial.error();
-    if (!places_->front()) trial->number = list_.trials.size() + 1;
+    for (const std::size_t place : places_->extras) {
+      if (Failure failure = add_extra(*trial, header_[place], fields[place])) return failure;
+    }
+    if (!places_->known.front()) trial->number = list_.trials.size() + 1;
     if (!numbers_.insert(trial->number).second)
       return usage_error(fmt::format("trial: {} stands twice", trial->number));
     trial->line = line_;
@@ -195,7 +234,7 @@ class ListReader {
 
   TrialList list_;
   std::optional<Places> places_;
-  std::size_t columns_ = 0;
+  std::vector<std::string> header_;
   std::size_t line_ = 0;
   std::set<std::uint64_t> numbers_;
 };
@@ -215,6 +254,62 @@ std::vector<std::string> slot_overrides(std::string_view slot) {
     if (!text.empty()) overrides.emplace_back(text);
   }
   return overrides;
+}
+
+std::string override_key(std::string_view text) {
+  const std::string key(trimmed(text.substr(0, text.find('='))));
+  return key == "algorithm" || key == "estimator" ? key + ".name" : key;
+}
+
+std::vector<std::string> extra_columns_of(const TrialFields& fields) {
+  const std::vector<std::string_view> names = column_names();
+  std::vector<std::string> extras;
+  for (const auto& [name, field] : fields) {
+    if (std::ranges::find(names, name) == names.end()) extras.push_back(name);
+  }
+  return extras;
+}
+
+Failure check_extra_columns(const std::vector<std::string>& columns) {
+  const std::vector<std::string_view> known = column_names();
+  std::vector<std::string_view> absent;
+  for (const std::string_view name : known) {
+    if (std::ranges::find(columns, name) == columns.end()) absent.push_back(name);
+  }
+  std::size_t extras = 0;
+  for (const std::string& name : columns) {
+    if (std::ranges::find(known, name) != known.end()) continue;
+    ++extras;
+    if (const std::string problem = extra_problem(name, absent); !problem.empty())
+      return usage_error(problem);
+  }
+  if (extras <= kMaxExtraColumns) return std::nullopt;
+  return usage_error(fmt::format("more than {} further columns", kMaxExtraColumns));
+}
+
+Result<TrialSpec> read_trial(const TrialFields& fields, const std::vector<std::string>& extras) {
+  for (const auto& [name, field] : fields) {
+    if (has_control(name) || has_control(field))
+      return usage_error(shown(name) + ": it has a control character");
+  }
+  for (const std::string& name : extra_columns_of(fields)) {
+    if (std::ranges::find(extras, name) == extras.end()) {
+      return usage_error(
+          fmt::format("{}: the first trial has no such column; name all in it", shown(name)));
+    }
+  }
+  Result<TrialSpec> trial = read_known([&](std::size_t i) {
+    const auto found = fields.find(kListColumns.at(i).name);
+    return found == fields.end() ? std::nullopt : std::optional(found->second);
+  });
+  if (!trial) return trial;
+  for (const std::string& name : extras) {
+    const auto found = fields.find(name);
+    if (const Failure failure =
+            add_extra(*trial, name, found == fields.end() ? std::string() : found->second))
+      return *failure;
+  }
+  return trial;
 }
 
 Result<TrialList> parse_trial_list(std::string_view text, const std::string& origin) {

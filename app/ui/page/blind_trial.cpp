@@ -96,18 +96,25 @@ void draw_question(const PanelContext& context, const std::string& question, flo
 }
 
 std::string title_of(const BlindTest& test) {
+  if (test.begun && test.trials.awaits()) return "The next trial is on its way";
   if (test.begun) return test.trials.spec().question;
   const file::Answer& identity = test.experiment->answers.identity();
   return fmt::format("{}, participant {}, session {}", test.experiment->name, identity.participant,
                      identity.session);
 }
 
+const char* kind_text(const compare::BlindTrials& trials) {
+  return trials.spec().kind == file::TrialKind::kPractice ? "practice, " : "";
+}
+
 std::string progress_of(const BlindTest& test) {
   const compare::BlindTrials& trials = test.trials;
+  if (trials.open()) {
+    if (waits(test) || trials.awaits()) return fmt::format("{} answered", trials.trial());
+    return fmt::format("{}trial {}", kind_text(trials), trials.trial() + 1);
+  }
   if (waits(test)) return fmt::format("{} of {} answered", trials.trial(), trials.planned());
-  return fmt::format("{}trial {} of {}",
-                     trials.spec().kind == file::TrialKind::kPractice ? "practice, " : "",
-                     trials.trial() + 1, trials.planned());
+  return fmt::format("{}trial {} of {}", kind_text(trials), trials.trial() + 1, trials.planned());
 }
 
 void draw_head(const PanelContext& context, const BlindTest& test, float width) {
@@ -128,8 +135,10 @@ void draw_head(const PanelContext& context, const BlindTest& test, float width) 
 
 void draw_progress(const PanelContext& context, const BlindTest& test, float width) {
   const float height = kProgressEms * ImGui::GetFontSize();
-  const float share =
-      static_cast<float>(test.trials.trial()) / static_cast<float>(test.trials.planned());
+  // Nobody knows how many trials come from another program.
+  const float share = test.trials.open() ? 0.0F
+                                         : static_cast<float>(test.trials.trial()) /
+                                               static_cast<float>(test.trials.planned());
   const ImVec2 from = ImGui::GetCursorScreenPos();
   ImDrawList* list = ImGui::GetWindowDrawList();
   list->AddRectFilled(from, ImVec2(from.x + width, from.y + height),
@@ -151,6 +160,20 @@ void draw_wait(const PanelContext& context, const BlindTest& test, float width) 
   if (ImGui::Button(label, ImVec2(button_ems, ems(kChooseEms)))) go_on(context);
   explain("On to the next trial");
   ImGui::Dummy(ImVec2(width, ems(kChooseEms)));
+}
+
+// Draws the page while the next trial has not come.
+void draw_awaiting(const PanelContext& context, const BlindTest& test) {
+  if (test.feed_left) {
+    ImGui::TextWrapped(
+        "The program that gives the trials has ended. Close the window and start both again: the "
+        "experiment resumes after the last answer.");
+  }
+  const std::string& problem = test.experiment->feed->problem();
+  if (problem.empty()) return;
+  ImGui::PushStyleColor(ImGuiCol_Text, context.theme.packed(draw::Tone::kBad));
+  ImGui::TextWrapped("A line of the program that gives the trials is wrong: %s", problem.c_str());
+  ImGui::PopStyleColor();
 }
 
 void draw_buttons(const PanelContext& context, float width) {
@@ -189,11 +212,13 @@ void draw_blind_trial(const PanelContext& context) {
     // Nothing: the next frame shows the result.
   } else if (waiting) {
     draw_wait(context, test, width);
+  } else if (test.trials.awaits()) {
+    draw_awaiting(context, test);
   } else {
     draw_buttons(context, width);
   }
   muted_text(context,
-             waiting
+             waiting || test.trials.awaits()
                  ? "Every answer is stored. After an end of the program, the same command resumes."
                  : "Feel each as often as you like, in any order. To begin from "
                    "rest, leave the wall before you switch, or reset (R).");

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <utility>
 
 #include "app/file/disk/atomic_file.h"
@@ -47,12 +48,47 @@ std::string slot_text(const AlgorithmSettings& settings) {
   return text;
 }
 
+std::string recording_of(const PanelContext& context) {
+  if (context.shows.live == nullptr) return "";
+  const session::RecordingStatus status = context.shows.live->recording_status();
+  if (status.state != session::RecordingState::kRecording) return "";
+  return std::filesystem::path(status.path).filename().string();
+}
+
+// An event of the stream. It tells the slot: the stream goes to another program.
+void add_event(const PanelContext& context, const char* what, const BlindTest& test,
+               Presentation presentation, Slot slot) {
+  if (context.shows.live == nullptr) return;
+  context.shows.live->add_event(
+      "trial", fmt::format(",\"trial\":{},\"what\":\"{}\",\"presentation\":{},\"wall\":\"{}\"",
+                           test.trials.spec().number, what,
+                           presentation == Presentation::kFirst ? 1 : 2, compare::slot_name(slot)));
+}
+
 // Keeps the answer on the disk before it counts.
-Failure keep_answer(BlindTest& test, file::Answer answer) {
+Failure keep_answer(const PanelContext& context, BlindTest& test, file::Answer answer) {
+  session::Experiment& experiment = *test.experiment;
   answer.time_utc = file::utc_now();
-  if (Failure failure = test.experiment->answers.append(answer)) return failure;
+  answer.values = session::values_at(experiment, test.trials.place());
+  answer.exposure = test.exposure.row();
+  answer.exposure.recording = recording_of(context);
+  if (Failure failure = experiment.answers.append(answer)) return failure;
+  if (experiment.feed) experiment.feed->answered(experiment, answer);
   test.answers.push_back(std::move(answer));
   return std::nullopt;
+}
+
+// Asks for the next trial, once: the trial before has just ended, or its break.
+void ask_for_trial(const BlindTest& test) {
+  if (test.trials.awaits()) test.experiment->feed->ask(*test.experiment);
+}
+
+Result<BlindTrials> trials_of(const session::Experiment& experiment, double confidence) {
+  const std::uint64_t seed = experiment.answers.identity().seed;
+  if (!experiment.feed) return BlindTrials::create({seed, experiment.trials, confidence});
+  BlindTrials trials = BlindTrials::begin_open(seed, confidence);
+  for (const file::TrialSpec& trial : experiment.trials) trials.add(trial);
+  return trials;
 }
 
 }  // namespace
@@ -60,6 +96,8 @@ Failure keep_answer(BlindTest& test, file::Answer answer) {
 void finish(BlindTest& test) {
   test.running = false;
   test.results = compare::results_of(test.answers, test.trials.plan().confidence);
+  if (test.experiment->feed)
+    test.experiment->feed->end(test.trials.finished() ? "finished" : "stopped");
 }
 
 void write_trial_list(const PanelContext& context) {
@@ -85,8 +123,7 @@ void write_trial_list(const PanelContext& context) {
 Failure start_experiment(CompareState& compare, DockState& dock, Toasts& toasts,
                          const Scene& running, std::shared_ptr<session::Experiment> experiment) {
   const file::AnswersFile& answers = experiment->answers;
-  Result<BlindTrials> trials = BlindTrials::create(
-      {answers.identity().seed, experiment->trials, compare.persisted.confidence});
+  Result<BlindTrials> trials = trials_of(*experiment, compare.persisted.confidence);
   if (!trials) return trials.error();
   if (answers.dropped()) {
     toasts.tell(MessageKind::kNote,
@@ -101,20 +138,47 @@ Failure start_experiment(CompareState& compare, DockState& dock, Toasts& toasts,
   return std::nullopt;
 }
 
+bool awaits_trial(const CompareState& compare) {
+  return blind_test_runs(compare) && compare.transient.test->trials.awaits();
+}
+
+void heed_feed(const PanelContext& context) {
+  if (!awaits_trial(context.compare)) return;
+  BlindTest& test = *context.compare.transient.test;
+  switch (test.experiment->feed->take(*test.experiment)) {
+    case session::FeedEvent::kTrial:
+      test.trials.add(test.experiment->trials.back());
+      return;
+    case session::FeedEvent::kEnd:
+      test.trials.close();
+      if (test.trials.finished()) end_blind_test(context);
+      return;
+    case session::FeedEvent::kLeft:
+      test.feed_left = true;
+      return;
+    case session::FeedEvent::kChoice:
+    case session::FeedEvent::kNothing:
+      return;
+  }
+}
+
 bool waits(const BlindTest& test) { return !test.begun || test.trials.at_break(); }
 
 void go_on(const PanelContext& context) {
   if (!blind_test_runs(context.compare)) return;
   BlindTest& test = *context.compare.transient.test;
-  if (!std::exchange(test.begun, true)) return;
+  if (!std::exchange(test.begun, true) || !test.trials.at_break()) return;
   test.trials.go_on();
+  ask_for_trial(test);
 }
 
 void feel(const PanelContext& context, Presentation presentation) {
   if (!blind_test_runs(context.compare)) return;
   BlindTest& test = *context.compare.transient.test;
-  if (waits(test)) return;
+  if (waits(test) || test.trials.awaits()) return;
+  if (!test.felt) test.exposure.begin();
   const Slot slot = test.trials.present(presentation, ImGui::GetTime());
+  add_event(context, "felt", test, presentation, slot);
   if (put_blindly(context, scene_of(test, slot))) test.felt = presentation;
 }
 
@@ -123,9 +187,12 @@ void choose(const PanelContext& context, Presentation presentation) {
   BlindTest& test = *context.compare.transient.test;
   const Result<file::Answer> answer = test.trials.answer(presentation, ImGui::GetTime());
   if (!answer) return context.toasts.tell(MessageKind::kNote, answer.error().message);
-  if (const Failure failure = keep_answer(test, *answer)) return tell(context.toasts, *failure);
+  if (const Failure failure = keep_answer(context, test, *answer))
+    return tell(context.toasts, *failure);
+  add_event(context, "answered", test, presentation, answer->chosen);
   test.trials.take();
   test.felt.reset();
+  ask_for_trial(test);
   if (test.trials.finished()) end_blind_test(context);
 }
 

@@ -46,6 +46,10 @@ void write_trial_list(const PanelContext& context);
                                        std::shared_ptr<session::Experiment> experiment);
 // True if nothing can be felt before go_on(): at the beginning of a list, and at its breaks.
 [[nodiscard]] bool waits(const BlindTest& test);
+// True if the next trial has not come from the program that gives the trials.
+[[nodiscard]] bool awaits_trial(const CompareState& compare);
+// Takes what that program has sent. Call it once a frame, before the panels.
+void heed_feed(const PanelContext& context);
 // No effect unless a test runs, like the next three.
 void go_on(const PanelContext& context);
 // Puts the presentation in force.

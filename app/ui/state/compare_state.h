@@ -11,6 +11,7 @@
 
 #include "app/compare/blind_trials.h"
 #include "app/compare/contact_traces.h"
+#include "app/compare/exposure.h"
 #include "app/compare/trial_results.h"
 #include "app/session/experiment.h"
 #include "core/algorithm_settings.h"
@@ -38,6 +39,8 @@ struct BlindTest {
   bool running = true;
   std::vector<file::Answer> answers = {};
   compare::TrialResults results = {};  // set at the end
+  compare::Exposure exposure = {};     // of this trial
+  bool feed_left = false;              // the program that gives the trials has gone
 };
 
 // Identifies the ghost in the plots.

@@ -74,6 +74,9 @@ void set_slots(CompareState& compare, const std::array<AlgorithmSettings, 2>& se
 
 void note_ticks(CompareState& state, const Scene& scene, std::span<const Tick> ticks) {
   CompareState::Transient& compare = state.transient;
+  if (compare.test && compare.test->running && compare.test->felt) {
+    for (const Tick& tick : ticks) compare.test->exposure.add(tick, scene.sampling.period_s());
+  }
   if (!compare.comparison || !compare.lamp) return;
   // The lamp's threshold is the energy of one encoder count.
   if (compare.lamp_encoder_m != encoder_of(scene)) begin_lamp(compare, scene);

@@ -141,6 +141,7 @@ void Application::frame() {
   look_at_moment(snapshot);
   const PanelContext context =
       context_of(state_, session(), snapshot, theme_, visibility(snapshot.generation));
+  heed_feed(context);
   handle_keys(context, bindings_in_force(context.shows));
   draw_window({context, history_.axis(context.shows.axis == Axis::kY ? 1 : 0), *renderer_,
                state_.map, state_.all_runs, state_.studies});
@@ -246,7 +247,7 @@ bool Application::moving() const {
   return samples_came_ || state_.timing.answer.silent_s > 0.0 || state_.toasts.moving() ||
          !state_.wall.transient.view_refined || state_.replay.opening.running() ||
          state_.replay.rerun.running() || state_.map.live.running() || state_.all_runs.running() ||
-         state_.studies.running() || state_.identify.fit.running();
+         state_.studies.running() || state_.identify.fit.running() || awaits_trial(state_.compare);
 }
 
 void Application::drop(std::span<const std::string> paths) {

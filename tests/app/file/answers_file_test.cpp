@@ -63,13 +63,60 @@ TEST_F(AnswersFileTest, ALineIsOneAnswer) {
   EXPECT_EQ(answer_line(answer_number(4)),
             "P1,2,2026-11-23T20:25:38Z,4,one,catch,\"Which is stiffer, \"\"harder\"\"?\","
             "wall.stiffness_n_per_m=1000; algorithm=none,,B,A,A,2,1,3,0.30000000000000004,"
-            "18446744073709551615,\"0.1.0 (a, b)\",5ce,115\n");
+            "18446744073709551615,\"0.1.0 (a, b)\",5ce,115,0,0,0,0,0,0,,,\n");
   for (const std::optional<bool> correct : {std::optional<bool>(), {true}, {false}}) {
     Answer answer = answer_number(3);
     answer.correct = correct;
     const std::string line = answer_line(answer);
     EXPECT_EQ(parse_answer(std::string_view(line).substr(0, line.size() - 1)), answer);
   }
+}
+
+TEST_F(AnswersFileTest, ItsColumnsAreThoseOfTheTrials) {
+  const AnswerColumns columns{true, {"wall.stiffness_n_per_m"}, {"step", "a, b"}};
+  const std::string header = answers_header(columns);
+  EXPECT_THAT(header, ::testing::EndsWith(
+                          "contact_s,mean_force_n,max_force_n,energy_to_hand_j,touches,lost_ticks,"
+                          "recording,first_tick,last_tick,a.wall.stiffness_n_per_m,"
+                          "b.wall.stiffness_n_per_m,step,\"a, b\"\n"));
+  EXPECT_EQ(parse_answers_header(std::string_view(header).substr(0, header.size() - 1)), columns);
+  Answer answer = answer_number(3);
+  answer.exposure = {1.5, 2.0, 3.0, -0.25, 4, 5, "r.csv", 7, 9};
+  answer.values = {"1000", "1200"};
+  answer.extras = {" as it is ", "x,\"y\""};
+  const std::string line = answer_line(answer, columns);
+  EXPECT_THAT(line, ::testing::EndsWith(
+                        ",1.5,2,3,-0.25,4,5,r.csv,7,9,1000,1200, as it is ,\"x,\"\"y\"\"\"\n"));
+  EXPECT_EQ(parse_answer(std::string_view(line).substr(0, line.size() - 1), columns), answer);
+}
+
+TEST_F(AnswersFileTest, OtherColumnsAreNeverMixed) {
+  write(2);
+  const std::string before = content("p1.csv");
+  const auto other =
+      AnswersFile::open(path("p1.csv"), identity_of_p1(), AnswerColumns{true, {}, {"step"}});
+  ASSERT_FALSE(other);
+  EXPECT_THAT(other.error().message, HasSubstr("its columns are not those of these trials"));
+  EXPECT_EQ(content("p1.csv"), before);
+}
+
+// A file of version 0.1.0 keeps its columns to its end.
+TEST_F(AnswersFileTest, OneWithoutExposureIsContinuedWithoutIt) {
+  const AnswerColumns old{false, {}, {}};
+  put("p1.csv", answers_header(old) + answer_line(answer_number(1), old));
+  std::filesystem::permissions(path("p1.csv"), static_cast<std::filesystem::perms>(0600));
+  write(1);
+  EXPECT_EQ(content("p1.csv"), answers_header(old) + answer_line(answer_number(1), old) +
+                                   answer_line(answer_number(1), old));
+}
+
+TEST_F(AnswersFileTest, ColumnsWithoutAnAnswerAreWrittenAnew) {
+  write(0);
+  const AnswerColumns columns{true, {}, {"step"}};
+  ASSERT_TRUE(AnswersFile::open(path("p1.csv"), identity_of_p1(), columns));
+  EXPECT_EQ(content("p1.csv"), answers_header(columns));
+  ASSERT_TRUE(AnswersFile::open(path("p1.csv"), identity_of_p1(), std::nullopt));
+  EXPECT_EQ(content("p1.csv"), "") << "the first trial decides";
 }
 
 TEST_F(AnswersFileTest, IsContinued) {

@@ -58,6 +58,21 @@ TEST(TrialList, TwoColumnsAreEnough) {
   EXPECT_TRUE(slot_overrides(trial.slots[0]).empty());
 }
 
+TEST(TrialList, FurtherColumnsAreCarriedUnchanged) {
+  const auto list = parse_trial_list(
+      "level,a,b,Größe\n 3 ,,device.mass_kg=0.1,\"x,y\"\n,,device.mass_kg=1,\n", "list.csv");
+  ASSERT_TRUE(list) << list.error().message;
+  EXPECT_THAT(list->extras, ElementsAre("level", "Größe"));
+  EXPECT_THAT(list->trials[0].extras, ElementsAre(" 3 ", "x,y"));
+  EXPECT_THAT(list->trials[1].extras, ElementsAre("", ""));
+}
+
+TEST(TrialList, ANameThatIsNearlyAColumnIsASlipIfTheListLacksThatColumn) {
+  EXPECT_THAT(parse_trial_list("a,b,kimd\n,device.mass_kg=1,\n", "l").error().message,
+              HasSubstr("'kimd' is no column; did you mean 'kind'?"));
+  EXPECT_TRUE(parse_trial_list("a,b,kind,kimd,k\n,device.mass_kg=1,,,\n", "l"));
+}
+
 TEST(TrialList, ItsHashIsThatOfItsBytes) {
   const auto one = parse_trial_list("a,b\n,device.mass_kg=0.1\n", "");
   const auto other = parse_trial_list("a,b\n,device.mass_kg=0.2\n", "");

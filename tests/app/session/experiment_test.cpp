@@ -42,6 +42,26 @@ TEST_F(ExperimentTest, ASlotIsTheSceneWithItsKeys) {
   EXPECT_EQ((*experiment)->name, "list");
 }
 
+// The values of an empty slot are those of assets/scenes/press.toml.
+TEST_F(ExperimentTest, AColumnHasTheValueOfEachWall) {
+  const auto experiment = open(
+      "a,b,step\n,wall.stiffness_n_per_m=1200; algorithm=half-sample,1\n"
+      "wall.stiffness_n_per_m=1e4,hand.path_file=none; hand.mass_kg=0.5,2\n");
+  ASSERT_FALSE(experiment) << "hand.path_file cannot change";
+  const auto right = open(
+      "a,b,step\n,wall.stiffness_n_per_m=1200; algorithm=half-sample,1\n"
+      "wall.stiffness_n_per_m=1e4,hand.mass_kg=0.5,2\n");
+  ASSERT_TRUE(right) << right.error().message;
+  const file::AnswerColumns& columns = *(*right)->answers.columns();
+  EXPECT_THAT(columns.keys,
+              ::testing::ElementsAre("wall.stiffness_n_per_m", "algorithm.name", "hand.mass_kg"));
+  EXPECT_THAT(columns.extras, ::testing::ElementsAre("step"));
+  EXPECT_THAT(values_at(**right, 0), ::testing::ElementsAre("35000", "1200", "energy-bounding",
+                                                            "half-sample", "0.4", "0.4"));
+  EXPECT_THAT(values_at(**right, 1), ::testing::ElementsAre("10000", "35000", "energy-bounding",
+                                                            "energy-bounding", "0.4", "0.5"));
+}
+
 TEST_F(ExperimentTest, WhatCannotChangeInTheLoopIsRefusedWithItsLine) {
   for (const auto& [slot, why] :
        {std::pair("sampling.rate_hz=500", "sampling.rate_hz: cannot change"),

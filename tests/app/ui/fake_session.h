@@ -55,6 +55,9 @@ class FakeSession final : public session::LiveSession {
     return take(wanted);
   }
   [[nodiscard]] std::uint32_t generation() const override { return generation_; }
+  void add_event(std::string_view name, std::string_view more) override {
+    events.push_back(std::string(name).append(more));
+  }
   void move_hand(const session::HandMove& move) override {
     moves.push_back(move);
     if (move.at_once) ++gesture_;
@@ -147,6 +150,7 @@ class FakeSession final : public session::LiveSession {
   bool echoes = true;    // the next snapshot confirms the newest parameters
   int steps = 0;
   int resets = 0;
+  std::vector<std::string> events;  // for the stream
   std::vector<session::HandMove> moves;  // asked for
   std::string refuse_recording;          // the error of the next recordings
 

@@ -122,7 +122,8 @@ TEST_F(ExperimentPageTest, ALineHasAllThatIsKnown) {
   click("go on");
   answer();
   const auto& identity = options.experiment->answers.identity();
-  const auto answer = file::parse_answer(lines_of(path("P1.csv")).back());
+  const auto answer =
+      file::parse_answer(lines_of(path("P1.csv")).back(), *options.experiment->answers.columns());
   ASSERT_TRUE(answer.has_value());
   EXPECT_EQ(answer->participant, "P1");
   EXPECT_EQ(answer->session, "1");
