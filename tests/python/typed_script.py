@@ -1,5 +1,7 @@
 """A script of a user, for mypy --strict."""
 
+import pathlib
+from collections.abc import Generator
 from concurrent.futures import ProcessPoolExecutor
 from typing import Any
 
@@ -47,3 +49,15 @@ limits = hw.boundary(scene, hw.Axis("wall.stiffness_n_per_m", 300.0, 1e5, 7, Tru
 first: float | None = limits[0]["first_failure"]
 options: list[str] = [option for study in hw.studies().values() for option in study]
 errors: list[dict[str, Any]] = hw.accuracy(scene, substeps=[1, 10]) + hw.study("ranking", scene, algorithms=["none"])
+
+
+def staircase() -> Generator[hw.Trial, hw.Answer, None]:
+    answer = yield {"a": {"wall.stiffness_n_per_m": 1000}, "b": "wall.stiffness_n_per_m=1200", "correct": "b"}
+    print(answer["correct"])
+
+
+experiment = hw.Experiment(staircase(), participant="P01", answers=pathlib.Path("a.csv"), program="hapticwall",
+                           observer=hw.observer("wall.stiffness_n_per_m", jnd=0.1))
+found: list[hw.Answer] = experiment.answers
+listed = hw.Experiment([{"a": "", "b": "algorithm=none"}], participant="P01", answers="a.csv", program="hapticwall",
+                       observer=lambda felt: felt.first)

@@ -13,6 +13,7 @@ from hapticwall._environment import (
     load_environment,
 )
 from hapticwall._executor import Unfinished
+from hapticwall._experiment import Answer, Experiment, ExperimentError, Felt, Trial, observer
 from hapticwall._functions import Parameter
 from hapticwall._keys import Key, keys, scenes
 from hapticwall._law import Algorithm, Context, Input, LawError, Wall, algorithm, algorithms
@@ -26,10 +27,14 @@ __version__: str = _core.version
 
 __all__ = [
     "Algorithm",
+    "Answer",
     "Axis",
     "Context",
     "Environment",
     "EnvironmentContext",
+    "Experiment",
+    "ExperimentError",
+    "Felt",
     "Input",
     "Key",
     "LawError",
@@ -41,6 +46,7 @@ __all__ = [
     "Sample",
     "Scene",
     "Session",
+    "Trial",
     "Unfinished",
     "Value",
     "Wall",
@@ -57,6 +63,7 @@ __all__ = [
     "load",
     "load_environment",
     "map",
+    "observer",
     "read",
     "rerun",
     "run",
