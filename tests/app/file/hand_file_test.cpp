@@ -120,7 +120,7 @@ TEST_F(HandFile, OtherColumnsAreSkipped) {
 
 TEST_F(HandFile, AClockMayStartAnywhere) {
   for (const char* text : {"time_s,position_m\n1764115200,0.03\n1764115200.5,0.06\n",
-                                  "time_s,position_m\n-3,0.03\n-2.5,0.06\n"}) {
+                           "time_s,position_m\n-3,0.03\n-2.5,0.06\n"}) {
     const auto hand = parse_hand(text, "hand.csv");
     ASSERT_TRUE(hand) << hand.error().message;
     EXPECT_EQ(*hand, (std::vector<PathPoint>{{0.0, 0.03}, {0.5, 0.06}}));

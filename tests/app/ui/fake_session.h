@@ -150,7 +150,7 @@ class FakeSession final : public session::LiveSession {
   bool echoes = true;    // the next snapshot confirms the newest parameters
   int steps = 0;
   int resets = 0;
-  std::vector<std::string> events;  // for the stream
+  std::vector<std::string> events;       // for the stream
   std::vector<session::HandMove> moves;  // asked for
   std::string refuse_recording;          // the error of the next recordings
 
