@@ -175,6 +175,13 @@ Failure check_rerun(const file::RecordingInfo& recording) {
                     "with them",
                     name, recording.scanned.missing_rows));
   }
+  const auto couples = [](const ScheduledChange& change) { return couples_axes(change.scene); };
+  if (couples_axes(recording.loaded.scene) ||
+      std::ranges::any_of(recording.loaded.changes, couples)) {
+    return usage_error(name +
+                       ": cannot be re-run: its axes need each other at every tick, and a re-run "
+                       "is of axis x alone; 'run' repeats both by the sidecar");
+  }
   return {};
 }
 

@@ -8,6 +8,7 @@
 #include "app/file/text/text.h"
 #include "app/session/scene_change.h"
 #include "core/algorithm/algorithm.h"
+#include "core/environment/environment.h"
 #include "core/estimator/estimator.h"
 #include "core/scene_keys.h"
 
@@ -41,6 +42,8 @@ std::string text_in(const std::string& slot, std::string_view key) {
 
 std::string value_of(std::string_view key, const std::string& slot, const Scene& scene) {
   if (key == "algorithm.name") return std::string(algorithms()[scene.algorithm.index].name);
+  if (key == "environment.name")
+    return std::string(environments()[scene.environment.index].description.name);
   if (key == "estimator.name")
     return std::string(estimators()[scene.estimator.index].description.name);
   if (const auto number = find_scene_number(scene, key)) {
