@@ -8,12 +8,12 @@ find_package(tomlplusplus REQUIRED)  # app/file
 find_package(nlohmann_json REQUIRED)
 find_package(fmt REQUIRED)
 find_package(PNG REQUIRED)
-pkg_check_modules(CAIRO REQUIRED IMPORTED_TARGET cairo-ft cairo-svg cairo-pdf freetype2)  # app/draw
 pkg_check_modules(MD REQUIRED IMPORTED_TARGET libmd)  # app/file: SHA-256
 if(NOT HAPTICWALL_PROGRAM)
   return()
 endif()
 
+pkg_check_modules(CAIRO REQUIRED IMPORTED_TARGET cairo-ft cairo-svg cairo-pdf freetype2)  # app/draw
 pkg_check_modules(HIDAPI REQUIRED IMPORTED_TARGET hidapi-${HAPTICWALL_HIDAPI})  # device
 pkg_check_modules(SNDFILE REQUIRED IMPORTED_TARGET sndfile)  # app/sound
 pkg_check_modules(RTAUDIO REQUIRED IMPORTED_TARGET rtaudio)

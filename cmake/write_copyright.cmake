@@ -1,6 +1,7 @@
 # Writes OUTPUT: our licence, then the licence texts of the parts that docs/dependencies.md lists.
 # ROOT: the sources. GUI: the sources of Dear ImGui and ImPlot. The texts of packages are those of
-# Debian, /usr/share/doc/PACKAGE/copyright; without it the table's line stands alone.
+# Debian, /usr/share/doc/PACKAGE/copyright; without it the table's line stands alone. With PARTS only
+# these lines; NANOBIND: the folder of nanobind, whose code is part of the Python module.
 cmake_minimum_required(VERSION 3.25)
 
 set(rule "\n--------------------------------------------------------------------------------\n")
@@ -11,6 +12,9 @@ foreach(line IN LISTS lines)
     break()
   endif()
   if(NOT line MATCHES "^\\| \\[([^]]+)\\]\\(([^)]+)\\)[^|]*\\|([^|]*)\\|[^|]*\\|[^|]*\\| ([^|]*) \\|")
+    continue()
+  endif()
+  if(PARTS AND NOT CMAKE_MATCH_1 IN_LIST PARTS)
     continue()
   endif()
   string(APPEND text "${rule}${CMAKE_MATCH_1}, ${CMAKE_MATCH_2}\nLicence: ${CMAKE_MATCH_4}\n\n")
@@ -27,4 +31,12 @@ foreach(line IN LISTS lines)
     string(APPEND text "${licence}")
   endif()
 endforeach()
+if(NANOBIND)
+  file(GLOB licence ${NANOBIND}/../nanobind-*.dist-info/licenses/LICENSE)
+  file(READ ${licence} licence)
+  file(READ ${NANOBIND}/ext/robin_map/include/tsl/robin_map.h robin_map)
+  string(REGEX REPLACE "\\*/.*" "*/" robin_map "${robin_map}")
+  string(APPEND text "${rule}nanobind, https://github.com/wjakob/nanobind\nLicence: BSD-3-Clause\n\n${licence}"
+                     "${rule}robin-map, https://github.com/Tessil/robin-map\nLicence: MIT\n\n${robin_map}\n")
+endif()
 file(WRITE ${OUTPUT} "${text}")

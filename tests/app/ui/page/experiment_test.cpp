@@ -9,6 +9,7 @@
 #include <string>
 
 #include "app/ui/state/blind_test.h"
+#include "hapticwall_version.h"
 #include "tests/app/ui/gui_test.h"
 #include "tests/paths.h"
 
@@ -136,7 +137,7 @@ TEST_F(ExperimentPageTest, ALineHasAllThatIsKnown) {
   EXPECT_EQ(answer->seed, identity.seed);
   EXPECT_EQ(answer->scene_sha256.size(), 64U);
   EXPECT_EQ(answer->list_sha256, identity.list_sha256);
-  EXPECT_THAT(answer->program, HasSubstr("0.1.0"));
+  EXPECT_THAT(answer->program, HasSubstr(kVersion));
 }
 
 // A person who has never pressed "More" has no page of this name.
