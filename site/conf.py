@@ -43,6 +43,7 @@ MENU = {
     "Walls and hands": [
         "docs/physics",
         "docs/algorithms/README",
+        "docs/environments",
         "docs/estimators",
         "docs/hands",
         "docs/measured-hands",
@@ -76,6 +77,7 @@ MENU = {
         "CONTRIBUTING",
         "docs/architecture",
         "docs/adding-an-algorithm",
+        "docs/adding-an-environment",
         "docs/adding-an-estimator",
         "docs/adding-a-study",
         "docs/dependencies",

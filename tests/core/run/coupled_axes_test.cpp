@@ -90,13 +90,13 @@ TEST(CoupledAxes, ABumpKnowsBothPositionsOfTheTick) {
   }
 }
 
-struct Change {
+struct ForceChange {
   double length_n = 0.0;
   double bound_n = 0.0;
   double off_direction = 0.0;  // sine of the angle to the change that was wanted
 };
 
-Change change_at(const Tick& before, const Tick& now) {
+ForceChange change_at(const Tick& before, const Tick& now) {
   std::array<double, 2> got{};
   std::array<double, 2> wanted{};
   double speed = 0.0;
@@ -120,7 +120,7 @@ TEST(CoupledAxes, TheVectorFormBoundsTheVectorAndKeepsItsDirection) {
   double hold_j = 0.0;
   double budget_j = 0.0;
   for (std::size_t k = 1; k < ticks.size(); ++k) {
-    const Change change = change_at(ticks[k - 1], ticks[k]);
+    const ForceChange change = change_at(ticks[k - 1], ticks[k]);
     if (change.bound_n == 0.0) continue;
     ASSERT_LE(change.length_n, change.bound_n * (1.0 + 1e-9)) << k;
     ASSERT_LE(change.off_direction, 1e-6) << k;
