@@ -79,7 +79,9 @@ def complete(scene, root):
         return scene
     press = (root / "assets/scenes/press.toml").read_text(encoding="utf-8")
     parts = re.split(r"(?m)^(?=\[)", press)
-    return "".join(part for part in parts if part.split("\n")[0] not in scene) + scene
+    # An environment takes the place of the walls.
+    given = scene + ("[[wall]]" if "[environment]" in scene else "")
+    return "".join(part for part in parts if part.split("\n")[0] not in given) + scene
 
 
 def run(work, script, shell=("sh", "-ec")):

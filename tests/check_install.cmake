@@ -32,6 +32,7 @@ set(expected
     ${copied}
     bin/hapticwall
     include/hapticwall/device_plugin.h
+    include/hapticwall/environment.h
     include/hapticwall/plugin.h
     lib/udev/rules.d/70-hapticwall.rules
     share/applications/${desktop_id}.desktop
@@ -44,6 +45,7 @@ set(expected
     share/doc/hapticwall/assets/70-hapticwall.rules
     share/doc/hapticwall/assets/fonts/OFL.txt
     share/doc/hapticwall/copyright
+    share/doc/hapticwall/core/algorithm/plugin/include/hapticwall/environment.h
     share/doc/hapticwall/core/algorithm/plugin/include/hapticwall/plugin.h
     share/doc/hapticwall/device/port/include/hapticwall/device_plugin.h
     share/fish/vendor_completions.d/hapticwall.fish

@@ -93,6 +93,8 @@ function(objection file layer header out)
   elseif(layer STREQUAL "core" AND NOT target)
     if(header MATCHES "^(thread|sched\\.h)$" AND file STREQUAL "core/run/workers.cpp")
       return()  # it shares scenes out
+    elseif(header STREQUAL plugin.h AND file MATCHES "/include/hapticwall/")
+      return()  # beside it, where a user has both
     elseif(header MATCHES "${impure}")
       set(${out} "has a clock, files or threads, and core is pure" PARENT_SCOPE)
     elseif(NOT header MATCHES "^((unsupported/)?Eigen/.*|[a-z_0-9]+|stdint\\.h)$")

@@ -255,7 +255,7 @@ def test_no_law_is_registered_during_a_run():
         return 0.0
 
     hw.run(hw.load("press").replace({"duration_s": 0.01}), hw.algorithm(register, name="registers"))
-    assert told == ["a run is in progress; register algorithms before or after it"]
+    assert told == ["a run is in progress; register functions before or after it"]
 
 
 def test_unknown_algorithms_are_told(tmp_path):

@@ -75,18 +75,19 @@ class HandReader {
     }
     const Result<double> clock_s = hand_number(fields[columns_.time], kAnyTime, "time_s", "s");
     if (!clock_s) return clock_s.error();
-    if (!begin_s_) begin_s_ = begin_of(*clock_s);
-    const double time_s = *clock_s - *begin_s_;
+    if (first_) begin_s_ = begin_of(*clock_s);
+    const double time_s = *clock_s - begin_s_;
     if (!kPathTimeRange.contains(time_s))
       return usage_error("time_s: " + out_of_range_text(time_s, kPathTimeRange, "s"));
-    if (before_s_ && !(time_s > *before_s_)) {
+    if (!first_ && !(time_s > before_s_)) {
       return usage_error(fmt::format("time_s: {} follows {}; times must increase",
-                                     number_text(time_s), number_text(*before_s_)));
+                                     number_text(time_s), number_text(before_s_)));
     }
     const Result<double> position_m =
         hand_number(fields[columns_.position], kPositionRange, "position_m", "m");
     if (!position_m) return position_m.error();
     before_s_ = time_s;
+    first_ = false;
     return PathPoint{time_s, *position_m};
   }
 
@@ -94,8 +95,9 @@ class HandReader {
   static constexpr ValueRange kAnyTime{-1e11, 1e11};  // s; a double still tells 20 µs apart
 
   HandColumns columns_;
-  std::optional<double> begin_s_;
-  std::optional<double> before_s_;
+  bool first_ = true;
+  double begin_s_ = 0.0;   // of the clock
+  double before_s_ = 0.0;  // time of the last point
 };
 
 }  // namespace

@@ -76,7 +76,7 @@ class Functions:
                 lambda state: function(state.contents if nothing is None else nothing)
             )
         result = ctypes.c_double if signature.returns else None
-        structure = ctypes.POINTER(signature.structure)
+        structure: Any = ctypes.POINTER(signature.structure)
         if signature.number:
             return ctypes.CFUNCTYPE(result, state_type, structure, ctypes.c_double)(
                 lambda state, other, number: function(

@@ -138,7 +138,8 @@ class OwnEnvironment:
         functions = tuple(place and place.function() for place in self.places)
         if GivenEnvironment(functions, self.others).same(given_environment(self.name)):
             return  # the import may have registered it, or a fork has it
-        environment(name=self.name, **dict(zip(FUNCTIONS, functions, strict=True)), **self.others)
+        given_functions: dict[str, Any] = dict(zip(FUNCTIONS, functions, strict=True))
+        environment(name=self.name, **given_functions, **self.others)
 
 
 Traveller = BuiltIn | PluginFile | Law

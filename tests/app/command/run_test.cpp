@@ -38,7 +38,7 @@ TEST_F(Program, HelpAndVersion) {
 TEST_F(Program, ListsTheScenes) {
   const Answer answer = hapticwall({"scenes"});
   EXPECT_EQ(answer.status, 0);
-  EXPECT_EQ(lines(answer.out), 9);
+  EXPECT_EQ(lines(answer.out), 13);
   EXPECT_THAT(answer.out, HasSubstr("\npress             A firm hand"));
 }
 

@@ -51,8 +51,8 @@ TEST_F(EmulatorTool, HelpAndVersion) {
 TEST_F(EmulatorTool, MistakesAreOneLineEachAndLeaveNothing) {
   expect_refused(
       {"nope"},
-      "'nope' is neither a file nor a built-in scene; built in: corner, layers, light, press, tap, "
-      "tap-slow, golden-hard, golden-soft, golden-soft-fric");
+      "'nope' is neither a file nor a built-in scene; built in: bump, corner, detents, layers, "
+      "light, mass, press, tap, tap-slow, tissue, golden-hard, golden-soft, golden-soft-fric");
   expect_refused({"--set", "device.mass=3"},
                  "--set device.mass=3: device.mass: unknown key; did you mean 'mass_kg'?");
   expect_refused({"--vendor", "12345"},

@@ -269,7 +269,8 @@ TEST(SceneFile, BuiltinScenesAreAllThereAndNamedAsTheirFiles) {
   }
   EXPECT_THAT(names, ::testing::UnorderedElementsAre("press", "tap", "tap-slow", "light", "corner",
                                                      "layers", "golden-soft", "golden-hard",
-                                                     "golden-soft-fric"));
+                                                     "golden-soft-fric", "tissue", "detents",
+                                                     "mass", "bump"));
 }
 
 // docs/physics.md gives the rates at which the paths rise.

@@ -45,7 +45,10 @@ void expect_same(const Tails& tails, Scene scene, std::uint64_t ticks, std::size
     // wall that was touched earlier settled.
     const bool rests =
         hand_rests(axis_scene(scene, axis), tail_begin_tick(ticks, scene.sampling.rate_hz), ticks);
-    if (rests && shown.verdict != Verdict::kNoContact && expected.verdict != Verdict::kActive) {
+    // On a bump the hand of the other axis gives this one energy within a second.
+    const bool other_gives = couples_axes(scene) && shown.verdict == Verdict::kActive;
+    if (rests && shown.verdict != Verdict::kNoContact && expected.verdict != Verdict::kActive &&
+        !other_gives) {
       EXPECT_EQ(shown.verdict, expected.verdict);
       EXPECT_EQ(shown.chatter_n, expected.chatter_n);
       EXPECT_EQ(shown.swing_m, expected.swing_m);
