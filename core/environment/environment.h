@@ -19,7 +19,8 @@
 //
 // All are realtime-safe: bounded time, no allocation, no lock, no system call. Optional:
 //
-//     // Moves what the environment has of its own by one period. Called once per computation of the
+//     // Moves what the environment has of its own by one period. Called once per computation of
+//     the
 //     // controller, after the algorithm. `applied_force_n`: F_d as commanded.
 //     void advance(const EnvironmentMotion& motion, double applied_force_n);
 //     // A number for each of kDescription.signals, of the last tick.

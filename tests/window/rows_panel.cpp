@@ -204,11 +204,15 @@ void use_parts(Person& person, const AnyPart& part) {
   }
 }
 
+// Ends with the walls of the scene.
 void use_environments(Person& person) {
-  use_parts(person, kEnvironments);
+  const std::size_t walls = person.scene().x().walls.size();
+  choose_part(person, kEnvironments, 1);
   EXPECT_TRUE(person.scene().x().walls.empty());
-  open_scene(person, "press");
-  EXPECT_FALSE(person.scene().x().walls.empty());
+  choose_part(person, kEnvironments, 0);
+  EXPECT_EQ(person.scene().x().walls.size(), walls);
+  use_parts(person, kEnvironments);
+  EXPECT_EQ(person.scene().x().walls.size(), walls);
 }
 
 // The numbers that an estimator shows.

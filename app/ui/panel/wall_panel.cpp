@@ -132,15 +132,19 @@ void draw_bounds(const PanelContext& context, const WallSettings& wall) {
              "K < F_max / Δ, in N/m: one count uses the whole force.");
 }
 
-// Another environment takes the place of the walls; Undo brings them back.
+// Another environment takes the place of the walls; `walls` brings those of the scene back.
 void draw_environment(const PanelContext& context) {
   const PartChoice part{
       "environment", environments(), environment_parameters(), &Scene::environment,
-      "What the handle touches. Another one than walls takes their place on all axes; Undo brings "
-      "the walls back. Changes during the session."};
-  draw_part_menu(context, part, [](Scene& scene, std::size_t index) {
+      "What the handle touches. Another one than walls takes their place on all axes; walls brings "
+      "those of the scene back. Changes during the session."};
+  const Scene& loaded = context.scene.loaded;
+  draw_part_menu(context, part, [&](Scene& scene, std::size_t index) {
     scene.environment.index = index;
-    for (AxisSettings& axis : scene.axes) axis.walls.clear();
+    for (std::size_t i = 0; i < scene.axes.size(); ++i) {
+      scene.axes[i].walls.clear();
+      if (index == 0 && i < loaded.axes.size()) scene.axes[i].walls = loaded.axes[i].walls;
+    }
   });
   draw_part_fields(context, part);
 }

@@ -63,10 +63,11 @@ std::vector<std::string> changed_values(const Scene& running, const Scene& loade
   const Scene back = with_loaded_values(running, loaded);
   const Values now = values_of(running);
   const Values then = values_of(back);
-  for (std::size_t i = 0; i < now.size(); ++i) {
-    if (now[i].second == then[i].second) continue;
-    lines.push_back(
-        fmt::format("{} = {}, in the scene {}", now[i].first, now[i].second, then[i].second));
+  for (const auto& [key, value] : now) {
+    // Another environment has no walls.
+    const auto same = std::ranges::find(then, key, &Values::value_type::first);
+    if (same == then.end() || same->second == value) continue;
+    lines.push_back(fmt::format("{} = {}, in the scene {}", key, value, same->second));
   }
   if (running.environment.index != back.environment.index)
     lines.push_back(fmt::format("environment: {}, in the scene {}", environment_name(running),
