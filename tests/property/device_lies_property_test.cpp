@@ -11,6 +11,7 @@
 #include <sstream>
 #include <vector>
 
+#include "core/environment/environment.h"
 #include "tests/app/session/loop/lie_rig.h"
 
 namespace hapticwall::session::test {
@@ -83,7 +84,7 @@ class Promises {
 
  private:
   static constexpr double kLimitN = device::hid::testing::kLimitN;
-  static constexpr double kRoundingN = 1e-3;  // rounding of a report
+  static constexpr double kRoundingN = 2e-3;  // of a command and of a report, 1 mN each
 
   void check_disarming(ArmingNote why) {
     ++disarmings_;
@@ -126,6 +127,16 @@ WallSettings random_wall() {
           kLieStiffness * *rc::gen::inRange(0, 50) / 10.0, 0.0};
 }
 
+// A wall of those, or another environment with the forces of its defaults.
+struct Touched {
+  WallSettings wall;
+  std::size_t environment = 0;
+};
+Touched random_touched() {
+  const bool is_wall = *rc::gen::arbitrary<bool>();
+  return {random_wall(), is_wall ? 0 : *rc::gen::inRange<std::size_t>(1, environments().size())};
+}
+
 void run_script() {
   const double force_rate_n_per_s = random_force_rate();
   LieRig rig(random_lies(), *rc::gen::arbitrary<bool>(), rising_at(force_rate_n_per_s));
@@ -133,16 +144,20 @@ void run_script() {
   Promises promises(rig, force_rate_n_per_s);
   rig.on_tick = [&] { promises.check(); };
   const bool switches = *rc::gen::arbitrary<bool>();
-  const std::array walls{random_wall(), random_wall()};
+  const std::array all{random_touched(), random_touched()};
   while (rig.now_us() < 1000 * kLieRunMs) {
     if (rig.now_us() % 100'000 < 1000 || *rc::gen::inRange(0, 40) == 0) rig.arm();
-    if (switches && *rc::gen::inRange(0, 5) == 0)
-      rig.change_wall(walls.at(*rc::gen::inRange<std::size_t>(0, walls.size())));
+    if (switches && *rc::gen::inRange(0, 5) == 0) {
+      const Touched& next = all.at(*rc::gen::inRange<std::size_t>(0, all.size()));
+      rig.change_touched(next.wall, next.environment);
+    }
     for (int i = 0; i < 10; ++i) rig.tick();
   }
   RC_CLASSIFY(promises.disarmings() == 0, "never disarmed");
   RC_CLASSIFY(promises.disarmings() > 1, "disarmed again");
-  RC_CLASSIFY(switches, "walls switch");
+  const bool others = std::ranges::any_of(all, &Touched::environment);
+  RC_CLASSIFY(switches && !others, "walls switch");
+  RC_CLASSIFY(switches && others, "environments switch");
 }
 
 // 4000 scripts, or 40 times the max_success of RC_PARAMS.

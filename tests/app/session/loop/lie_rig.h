@@ -84,9 +84,13 @@ class LieRig {
 
   void arm() { EXPECT_TRUE(exchange_.commands.try_push({CommandKind::kArm, 0})); }
   // Changes the wall as a blind trial does, which puts the other of two walls in force.
-  void change_wall(const WallSettings& wall) {
+  void change_wall(const WallSettings& wall) { change_touched(wall, 0); }
+  // `environment`: an index in environments(); another one than the walls leaves these out.
+  void change_touched(const WallSettings& wall, std::size_t environment) {
     Scene changed = scene_on(scene(), device_.info());
+    changed.environment.index = environment;
     changed.x().walls = {wall};
+    if (!changed.environment.is_walls()) changed.x().walls.clear();
     LoopParameters parameters = parameters_of(changed);
     parameters.generation = ++generation_;
     exchange_.parameters.publish(parameters);
