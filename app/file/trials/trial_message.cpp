@@ -64,7 +64,9 @@ Result<TrialMessage> parse_trial_message(std::string_view line) {
   if (message.is_discarded()) return usage_error("a line is no JSON");
   if (!message.is_object() || message.size() != 1)
     return usage_error(fmt::format("a line has another form; {}", kForms));
-  const auto& [name, value] = *message.items().begin();
+  const auto first = message.begin();
+  const std::string& name = first.key();
+  const Json& value = *first;
   if (name == "trial") return trial_of(value);
   if (name == "choose") return choice_of(value);
   if (name == "end" && value == true) return TrialMessage(EndOfTrials{});
