@@ -3,6 +3,8 @@
 
 #include <array>
 
+#include "core/tick/servo_settings.h"
+#include "core/tick/servo_state.h"
 #include "core/tick/servo_step.h"
 
 namespace hapticwall {

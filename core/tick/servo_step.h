@@ -13,66 +13,15 @@
 #include <limits>
 
 #include "core/algorithm/followed_algorithm.h"
-#include "core/chance.h"
 #include "core/environment/active_environment.h"
 #include "core/environment/walls.h"
 #include "core/estimator/active_estimator.h"
 #include "core/sample.h"
-#include "core/scene.h"
 #include "core/tick/device_reading.h"
-#include "core/tick/energy_ledger.h"
+#include "core/tick/servo_settings.h"
+#include "core/tick/servo_state.h"
 
 namespace hapticwall {
-
-// An older position gives zero force.
-inline constexpr double kDefaultMaxAgeS = 0.02;
-// A switch of algorithm during a run blends the force over this time.
-inline constexpr double kSwitchTransitionS = 0.05;
-
-// The ticks on which the controller does not compute, so that its force stays.
-struct SkippedTicks {
-  std::uint64_t render_every = 1;
-  double lost_share = 0.0;
-  int seed = 1;
-
-  [[nodiscard]] bool any() const { return render_every > 1 || lost_share > 0.0; }
-  [[nodiscard]] bool has(std::uint64_t tick) const {
-    return tick % render_every != 0 ||
-           (lost_share > 0.0 && Chance(seed, 0, Purpose::kLostTick).uniform(tick) < lost_share);
-  }
-  friend bool operator==(const SkippedTicks&, const SkippedTicks&) = default;
-};
-
-// The loop's part of a scene. Trivially copyable.
-struct ServoSettings {
-  double rate_hz = 1000.0;
-  SkippedTicks skipped;
-  double device_damping_n_s_per_m = 0.0;
-  double encoder_m = 0.0;  // 0: none
-  double force_limit_n =
-      std::numeric_limits<double>::max();  // finite, so that an infinite force is over it
-  // Max rise of the force's magnitude in a tick.
-  double max_rise_n = std::numeric_limits<double>::infinity();
-  double maximum_age_s = kDefaultMaxAgeS;
-  double transition_s = kSwitchTransitionS;
-  WallSet walls;
-  std::uint32_t axis = 0;                    // 0: x, 1: y
-  const Environment* environment = nullptr;  // nullptr: the walls
-  EnvironmentSettings environment_settings;
-  const Estimator* estimator = nullptr;  // nullptr: the backward difference
-  EstimatorSettings estimator_settings;
-  AlgorithmSettings algorithm;
-  // The axes of a scene with two need each other at every tick: they tick together.
-  bool both_axes = false;
-
-  [[nodiscard]] double period_s() const { return 1.0 / rate_hz; }
-  [[nodiscard]] double render_rate_hz() const {
-    return rate_hz / static_cast<double>(skipped.render_every);
-  }
-  // A loop in the walls of the scene that computes in every tick; servo_step() computes it inline.
-  [[nodiscard]] bool plain() const { return !skipped.any() && environment == nullptr; }
-  friend bool operator==(const ServoSettings&, const ServoSettings&) = default;
-};
 
 // The replaceable parts of a tick. Realtime-safe: yes, except the constructor.
 struct TickParts {
@@ -90,62 +39,6 @@ struct TickParts {
     algorithm.show(signals);
     environment.show(signals);
   }
-};
-
-// Axis x of a scene; without a force limit the largest finite double. Realtime-safe: yes.
-[[nodiscard]] ServoSettings servo_settings(const Scene& scene);
-// Points into `settings`, which must outlive it. Realtime-safe: yes.
-[[nodiscard]] AlgorithmContext algorithm_context(const ServoSettings& settings);
-
-// After a switch the force starts at its last value: the difference to the new algorithm's force is
-// an offset that falls linearly to 0.
-struct SwitchTransition {
-  std::uint32_t ticks_left = 0;
-  std::uint32_t ticks_total = 0;
-  double offset_n = 0.0;
-  bool offset_known = false;
-
-  // The force of this tick. Precondition: ticks_left > 0. Realtime-safe: yes.
-  [[nodiscard]] double blend(double force_n, double previous_force_n) {
-    if (!offset_known) {
-      offset_n = previous_force_n - force_n;
-      offset_known = true;
-    }
-    const double weight = static_cast<double>(ticks_left) / static_cast<double>(ticks_total);
-    --ticks_left;
-    return force_n + weight * offset_n;
-  }
-};
-
-// The last computation of a controller that skips ticks.
-struct LastComputation {
-  double displacement_m = 0.0;  // since then
-  double velocity_m_per_s = 0.0;
-  double wanted_n = 0.0;
-  bool intervened = false;
-  // The next tick computes in any case: the first one, after a change, and after a fault.
-  bool outdated = true;
-};
-
-struct ServoState {
-  std::uint64_t tick = 0;
-  double previous_position_m = 0.0;
-  double previous_force_n = 0.0;
-  double budget_n_per_m = 0.0;  // b/T, b as the algorithm believes it
-  EnergyLedger ledger;
-  SwitchTransition transition;
-  LastComputation last;  // only of a loop that skips ticks
-  // Share of the force that reaches the device, 0 to 1; below 1 until it is fully armed.
-  double force_gain = 1.0;
-  double previous_gain = 1.0;  // of the previous force
-  // Shares until a device has obeyed: of the force limit, and of the force within it, above 0. The
-  // algorithm does not see the second one.
-  double limit_share = 1.0;
-  double level = 1.0;
-  double previous_level = 1.0;  // of the previous force
-  bool position_known = false;  // the last reading was without fault
-  bool parameters_changed = false;
-  bool failed = false;  // a force that was not finite; sticky until reset
 };
 
 // Result of a tick. ServoState has the ledger after it.

@@ -22,7 +22,9 @@ Sample LoopAxis::at_rest() {
   return sample;
 }
 
-ReadDevice LoopAxis::read(double elapsed_s, bool armed) {
+ReadDevice LoopAxis::read(double elapsed_s, double gain, bool armed) {
+  servo.state().force_gain = gain;
+  device.enable(armed);
   ReadDevice read{device, device.read()};
   if (judge) judge_reading(read.reading, elapsed_s, armed);
   return read;

@@ -32,9 +32,9 @@ struct LoopAxis {
   void reset();
   // The sample before tick 0: the device's rest position, no force, no energies.
   [[nodiscard]] Sample at_rest();
-  // Reads the device for the next tick. A real device is judged: an objection removes the force in
-  // the same tick.
-  [[nodiscard]] ReadDevice read(double elapsed_s, bool armed);
+  // Reads the device for the next tick, whose force has this gain. A real device is judged: an
+  // objection removes the force in the same tick.
+  [[nodiscard]] ReadDevice read(double elapsed_s, double gain, bool armed);
 
  private:
   void judge_reading(DeviceReading& reading, double elapsed_s, bool armed);

@@ -197,15 +197,12 @@ ArmingFacts ServoLoop::facts(const Tick& tick) const {
   return all;
 }
 
-ReadDevice ServoLoop::read(LoopAxis& axis) {
-  axis.servo.state().force_gain = arming_.gain();
-  axis.device.enable(arming_.enabled());
-  return axis.read(elapsed_s_, arming_.enabled());
-}
-
 Tick ServoLoop::tick_axes() {
   Tick tick;
   tick.count = static_cast<std::uint8_t>(axes_.size());
+  const auto read = [&](LoopAxis& axis) {
+    return axis.read(elapsed_s_, arming_.gain(), arming_.enabled());
+  };
   if (axes_.size() == 2 && axes_.front().servo.settings().both_axes) {
     ReadDevice x = read(axes_.front());
     ReadDevice y = read(axes_.back());

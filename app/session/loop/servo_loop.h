@@ -46,7 +46,6 @@ class ServoLoop {
   void disarm(ArmingNote why);
   void show_arming();
   void tick();
-  [[nodiscard]] ReadDevice read(LoopAxis& axis);
   [[nodiscard]] Tick tick_axes();
   [[nodiscard]] ArmingFacts facts(const Tick& tick) const;
   void count_force(const Tick& tick);
