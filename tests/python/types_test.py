@@ -8,6 +8,7 @@ from mypy import api
 import hapticwall
 
 SCRIPT = (pathlib.Path(__file__).parent / "typed_script.py").read_text(encoding="utf-8")
+EXAMPLES = pathlib.Path(__file__).resolve().parents[2] / "assets/examples/python"
 WRONG = ["hw.load(3)", 'hw.run("tap").sumary', 'scene["a"] = None']
 
 
@@ -26,6 +27,12 @@ def problems(tmp_path_factory):
 
 def test_the_module_is_strictly_typed(problems):
     assert problems(pathlib.Path(hapticwall.__file__).parent) == []
+
+
+@pytest.mark.parametrize("example", sorted(EXAMPLES.glob("*.py")), ids=lambda path: path.stem)
+def test_an_example_is_strictly_typed(problems, example):
+    """But for libraries that have no types themselves."""
+    assert [text for _, text in problems(example) if "missing library stubs" not in text] == []
 
 
 def test_of_a_script_only_wrong_lines_are_refused(problems, tmp_path):

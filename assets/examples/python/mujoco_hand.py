@@ -8,9 +8,12 @@ Upper arm and forearm lie in a plane, without gravity. Shoulder and elbow hold t
 spring that moves into the wall. A spring and a damper, the grip, join the tip to the handle; both
 simulators take its force, held through a tick of 1 ms.
 """
+from typing import Any
+
 import hapticwall as hw
 import mujoco
 import numpy as np
+import numpy.typing as npt
 
 ARM = """
 <mujoco>
@@ -35,7 +38,8 @@ FREE = dict.fromkeys(("hand.stiffness_n_per_m", "hand.damping_n_s_per_m",
                       "hand.grip_stiffness_n_per_m", "hand.grip_damping_n_s_per_m"), 0.0)
 
 
-def push(scene="press", algorithm="force-bounding", duration_s=4.0):
+def push(scene: str = "press", algorithm: str = "force-bounding",
+         duration_s: float = 4.0) -> tuple[npt.NDArray[np.float64], dict[str, Any]]:
     """The rows of time, tip, handle and grip force, and the summary of the session."""
     model = mujoco.MjModel.from_xml_string(ARM)
     data = mujoco.MjData(model)
@@ -61,7 +65,7 @@ def push(scene="press", algorithm="force-bounding", duration_s=4.0):
         return np.array(rows), session.summary
 
 
-def main():
+def main() -> None:
     rows, summary = push()
     print(f"{summary['verdict']}, grip {rows[-1, 3]:.2f} N, wall {rows[-1, 4]:.2f} N, handle {rows[-1, 2]:.4f} m")
 

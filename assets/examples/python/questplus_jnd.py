@@ -8,6 +8,7 @@ tells most about the observer.
 """
 import math
 import sys
+from collections.abc import Generator
 
 import numpy as np
 import questplus
@@ -19,7 +20,7 @@ KEY = "wall.stiffness_n_per_m"
 QUARTILE = 0.6745  # of the normal distribution: chosen in 75 % of the trials
 
 
-def trials(count, found):
+def trials(count: int, found: dict[str, float]) -> Generator[hw.Trial, hw.Answer, None]:
     """`found` gets the bias and the JND, as shares of the reference."""
     quest = questplus.QuestPlus(
         stim_domain={"intensity": np.linspace(-0.4, 0.4, 41)},  # logarithm of b/a
@@ -40,7 +41,8 @@ def trials(count, found):
 
 
 if __name__ == "__main__":
-    participant, result = sys.argv[1], {}
+    participant = sys.argv[1]
+    result: dict[str, float] = {}
     observer = hw.observer(KEY, jnd=0.1, lapses=0.02) if "--rehearse" in sys.argv[2:] else None
     hw.Experiment(trials(60, result), scene="press", participant=participant,
                   answers=f"questplus-{participant}.csv", observer=observer).run()

@@ -19,18 +19,19 @@ KEY = "wall.stiffness_n_per_m"
 class Staircase:
     """Gives trials whose wall b is stiffer by the share `difference`."""
 
-    def __init__(self, trials=80, difference=0.5, factor=1.25):
+    def __init__(self, trials: int = 80, difference: float = 0.5, factor: float = 1.25) -> None:
         self.trials, self.difference, self.factor = trials, difference, factor
-        self.right, self.direction, self.reversals = 0, 0, []
+        self.right, self.direction = 0, 0
+        self.reversals: list[float] = []
 
-    def next(self):
+    def next(self) -> hw.Trial | None:
         if self.trials == 0:
             return None
         stiffness = REFERENCE_N_PER_M * (1.0 + self.difference)
         return {"a": {KEY: REFERENCE_N_PER_M}, "b": {KEY: round(stiffness, 3)}, "correct": "b",
                 "difference": self.difference, "reversals": len(self.reversals)}
 
-    def answer(self, answer):
+    def answer(self, answer: hw.Answer) -> None:
         self.trials -= 1
         self.right = self.right + 1 if answer["correct"] else 0
         if answer["correct"] and self.right < 2:
@@ -41,7 +42,7 @@ class Staircase:
         self.direction, self.right = direction, 0
         self.difference *= self.factor**direction
 
-    def threshold(self):
+    def threshold(self) -> float | None:
         """The geometric mean of the reversals without the first four, as a share; None if too few."""
         used = self.reversals[4:]
         return math.exp(sum(map(math.log, used)) / len(used)) if used else None
