@@ -157,6 +157,9 @@ struct Part {
   std::span<const ParameterDescription> keys;
   Settings Scene::*settings;
 };
+template <class List, class Settings>
+Part(std::string, const List&, std::span<const ParameterDescription>, Settings Scene::*)
+    -> Part<List, Settings>;
 const Part kEstimators{"estimator", estimators(), estimator_parameters(), &Scene::estimator};
 const Part kEnvironments{"environment", environments(), environment_parameters(),
                          &Scene::environment};

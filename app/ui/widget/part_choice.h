@@ -10,9 +10,9 @@
 #include <string>
 #include <string_view>
 
-#include "app/ui/state/changes.h"
 #include "app/ui/state/panel_context.h"
 #include "app/ui/widget/described_field.h"
+#include "app/ui/widget/parameter_rows.h"
 #include "app/ui/widget/widgets.h"
 #include "core/scene.h"
 
@@ -28,6 +28,10 @@ struct PartChoice {
   Settings Scene::*settings;
   const char* explanation;  // tooltip of the menu
 };
+// Clang deduces no arguments of an aggregate before version 17.
+template <class List, class Settings>
+PartChoice(std::string_view, const List&, std::span<const ParameterDescription>, Settings Scene::*,
+           const char*) -> PartChoice<List, Settings>;
 
 // The menu. Calls `choose(scene, index)` on the scene that is asked for.
 template <class List, class Settings, class Choose>
