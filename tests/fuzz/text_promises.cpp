@@ -11,7 +11,7 @@ namespace hapticwall::fuzz {
 namespace {
 
 // Longer than the longest list of known keys that a message gives.
-constexpr std::size_t kMaxMessageBytes = 1500;
+constexpr std::size_t kMaxMessageBytes = 2000;
 
 struct Form {
   std::uint8_t lead_mask;
