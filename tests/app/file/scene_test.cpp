@@ -267,10 +267,9 @@ TEST(SceneFile, BuiltinScenesAreAllThereAndNamedAsTheirFiles) {
     EXPECT_EQ(loaded->scene.description, scene.description);
     EXPECT_FALSE(scene.description.empty());
   }
-  EXPECT_THAT(names, ::testing::UnorderedElementsAre("press", "tap", "tap-slow", "light", "corner",
-                                                     "layers", "golden-soft", "golden-hard",
-                                                     "golden-soft-fric", "tissue", "detents",
-                                                     "mass", "bump"));
+  EXPECT_THAT(names, ::testing::UnorderedElementsAre(
+                         "press", "tap", "tap-slow", "light", "corner", "layers", "golden-soft",
+                         "golden-hard", "golden-soft-fric", "tissue", "detents", "mass", "bump"));
 }
 
 // docs/physics.md gives the rates at which the paths rise.

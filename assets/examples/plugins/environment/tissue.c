@@ -1,4 +1,5 @@
-/* The contact of Hunt and Crossley with the exponent 1.5, as an environment in C (docs/environments.md).
+/* The contact of Hunt and Crossley with the exponent 1.5, as an environment in C
+ * (docs/environments.md).
  *
  *   cc -shared -fPIC -O2 -ffp-contract=off tissue.c -lm -o tissue.so
  */
