@@ -37,6 +37,7 @@ std::vector<double> forces(const Scene& scene, const std::vector<double>& positi
 TEST(EnvironmentList, EveryNameIsItsOwnAndFoundAgain) {
   std::set<std::string_view> names;
   for (std::size_t i = 0; i < environments().size(); ++i) {
+    if (environments()[i].plugin != nullptr) continue;  // of another test in this process
     const EnvironmentDescription& one = environments()[i].description;
     EXPECT_TRUE(names.insert(one.name).second) << one.name;
     EXPECT_EQ(find_environment(one.name), i);
@@ -148,6 +149,7 @@ TEST(Bump, PushesUphillWithItsSlope) {
 
 TEST(Environments, AllAlgorithmsRunInEach) {
   for (std::size_t environment = 1; environment < environments().size(); ++environment) {
+    if (environments()[environment].plugin != nullptr) continue;
     for (std::size_t algorithm = 0; algorithm < algorithms().size(); ++algorithm) {
       Scene scene = scene_in(environments()[environment].description.name);
       scene.algorithm.index = algorithm;
