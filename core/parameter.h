@@ -52,6 +52,16 @@ struct SignalDescription {
   std::string_view meaning;
 };
 
+// An estimator or an environment, for people and files.
+struct PartDescription {
+  std::string_view name;   // the word in the file, --set and the sidecar
+  std::string_view title;  // for people
+  std::string_view idea;   // one line
+  std::span<const ParameterDescription> parameters;
+  std::string_view equation;  // for people: one to three lines
+  std::span<const SignalDescription> signals = {};
+};
+
 // The value of a key, or nullopt: it is not set, or not in the table. `values` are in the order of
 // `parameters`. Realtime-safe: yes.
 [[nodiscard]] constexpr std::optional<double> find_value(

@@ -11,7 +11,7 @@ namespace hapticwall::command {
 // `program`: with all commands.
 using CompletionWriter = std::string (*)(const CLI::App& program);
 
-// Of `bash`, `zsh` or `fish`; nullptr for another name.
+// The writer for `bash`, `zsh` or `fish`; nullptr for another name.
 [[nodiscard]] CompletionWriter completion_writer(std::string_view shell);
 
 }  // namespace hapticwall::command

@@ -42,8 +42,7 @@ CLI::Validator names_environment() {
   return CLI::Validator(
       [](const std::string& name) -> std::string {
         if (find_environment(name)) return "";
-        std::vector<std::string_view> names;
-        for (const Environment& known : environments()) names.push_back(known.description.name);
+        const auto names = file::names_of(environments());
         return fmt::format("unknown environment{}; known: {}", file::suggestion(name, names),
                            file::joined(names));
       },

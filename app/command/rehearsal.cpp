@@ -108,7 +108,7 @@ class Rehearsal {
     answer->time_utc = file::utc_now();
     answer->values = session::values_at(experiment_, trials_.place());
     answer->exposure = exposure_.row();
-    // The two runs have ticks of their own, and no recording.
+    // Each of the two runs counts its own ticks, and neither is recorded.
     answer->exposure.first_tick.reset();
     answer->exposure.last_tick.reset();
     if (Failure failure = experiment_.answers.append(*answer)) return failure;

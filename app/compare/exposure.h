@@ -15,7 +15,7 @@ class Exposure {
   // Begins anew.
   void begin() { *this = Exposure(); }
   // Ticks in order. A tick that does not follow the one before, as after a reset or in a slow
-  // window, adds no work; those between count as lost, but for a reset.
+  // window, adds no work. The ticks between two such ticks count as lost, except after a reset.
   void add(const Tick& tick, double period_s);
   // Without the recording.
   [[nodiscard]] file::ExposureRow row() const;

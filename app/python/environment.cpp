@@ -165,10 +165,14 @@ void bind_environments(nb::module_& m) {
   m.def("add_environment", [](const std::vector<std::string>& texts, std::uint32_t state_bytes,
                               std::vector<LawParameter> parameters,
                               const std::vector<std::uintptr_t>& addresses, bool takes_lock) {
-    return add_environment({texts.at(0), texts.at(1), texts.at(2), texts.at(3), state_bytes,
-                            std::move(parameters), addresses.at(0), addresses.at(1),
-                            addresses.at(2), addresses.at(3), addresses.at(4), addresses.at(5),
-                            takes_lock});
+    return add_environment({{texts.at(0), texts.at(1), texts.at(2), texts.at(3), state_bytes,
+                             std::move(parameters), takes_lock},
+                            addresses.at(0),
+                            addresses.at(1),
+                            addresses.at(2),
+                            addresses.at(3),
+                            addresses.at(4),
+                            addresses.at(5)});
   });
   // The name of the environment in a plug-in's file, which is loaded once.
   m.def("load_environment", [](const std::string& path) {
@@ -183,11 +187,7 @@ void bind_environments(nb::module_& m) {
     return found == nullptr ? std::pair(std::string(), std::string())
                             : std::pair(found->path, found->sha256);
   });
-  m.def("environment_names", [] {
-    std::vector<std::string> names;
-    for (const Environment& one : environments()) names.emplace_back(one.description.name);
-    return names;
-  });
+  m.def("environment_names", [] { return file::names_of(environments()); });
   m.def("own_environment", [](const std::string& name) {
     const auto index = find_environment(name);
     return index && environments()[*index].plugin != nullptr;

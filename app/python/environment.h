@@ -12,21 +12,14 @@
 
 namespace hapticwall::python {
 
-// Fields as in hw_environment. Functions are addresses; 0: none.
-struct OwnEnvironment {
-  std::string name;
-  std::string title;
-  std::string idea;
-  std::string equation;
-  std::uint32_t state_bytes = 0;
-  std::vector<LawParameter> parameters;
+// Functions are addresses as in hw_environment; 0: none.
+struct OwnEnvironment : OwnPart {
   std::uintptr_t configure = 0;
   std::uintptr_t reset = 0;
   std::uintptr_t force = 0;
   std::uintptr_t advance = 0;
   std::uintptr_t depth = 0;
   std::uintptr_t stiffness_hint = 0;
-  bool takes_lock = false;  // force() is Python: more threads would wait for each other
 };
 
 // Max environments of different names in a process. One under the name of an earlier one takes its

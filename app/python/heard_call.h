@@ -28,7 +28,7 @@ auto heard(const Call& call) {
     throw FunctionRaised();
   return result;
 }
-// The same for a function without a result. An address of 0 is not called.
+// heard() for a function without a result. An address of 0 is not called.
 template <typename Function, typename... Arguments>
 void heard_if_given(Function* function, Arguments... arguments) {
   if (function == nullptr) return;

@@ -23,18 +23,22 @@ struct LawParameter {
   friend bool operator==(const LawParameter& a, const LawParameter& b);
 };
 
-// Fields as in hw_plugin. Functions are addresses; 0: none.
-struct Law {
+// Texts, state and parameters as in hw_plugin and hw_environment.
+struct OwnPart {
   std::string name;
   std::string title;
   std::string idea;
   std::string equation;
   std::uint32_t state_bytes = 0;
   std::vector<LawParameter> parameters;
+  bool takes_lock = false;  // its force is of Python: more threads would wait for each other
+};
+
+// Functions are addresses as in hw_plugin; 0: none.
+struct Law : OwnPart {
   std::uintptr_t step = 0;
   std::uintptr_t configure = 0;
   std::uintptr_t reset = 0;
-  bool takes_lock = false;  // step() is Python: more threads would wait for each other
 };
 
 // Max laws of different names in a process. A law under the name of an earlier one takes its place.
@@ -49,7 +53,7 @@ std::size_t add_law(const Law& law);
 
 // True if the algorithm's step() takes the interpreter's lock.
 [[nodiscard]] bool takes_lock(std::size_t algorithm);
-// The same for the algorithm or the environment of a scene.
+// True if the algorithm or the environment of a scene takes it.
 [[nodiscard]] bool scene_takes_lock(const Scene& scene);
 
 // The parameters as a plug-in has them; they point into `parameters`.

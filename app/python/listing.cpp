@@ -97,8 +97,7 @@ void add_numbers(KeyDicts& dicts, const Scene& scene) {
 template <class List>
 void add_named(KeyDicts& dicts, const std::string& table, const List& list,
                std::span<const ParameterDescription> parameters) {
-  std::vector<std::string_view> names;
-  for (const auto& one : list) names.push_back(one.description.name);
+  const std::vector<std::string_view> names = file::names_of(list);
   dicts.append(choice_dict(table + ".name", names, names.front()));
   add_parameters(dicts, table + ".", parameters);
 }

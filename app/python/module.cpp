@@ -104,8 +104,11 @@ void bind_laws(nb::module_& m) {
         [](std::string name, std::string title, std::string idea, std::string equation,
            std::uint32_t state_bytes, std::vector<LawParameter> parameters, std::uintptr_t step,
            std::uintptr_t configure, std::uintptr_t reset, bool takes_lock) {
-          return add_law({std::move(name), std::move(title), std::move(idea), std::move(equation),
-                          state_bytes, std::move(parameters), step, configure, reset, takes_lock});
+          return add_law({{std::move(name), std::move(title), std::move(idea), std::move(equation),
+                           state_bytes, std::move(parameters), takes_lock},
+                          step,
+                          configure,
+                          reset});
         });
   m.def("algorithm_index", &algorithm_index);
   m.def("algorithm_names", &algorithm_names);

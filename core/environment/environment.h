@@ -19,9 +19,8 @@
 //
 // All are realtime-safe: bounded time, no allocation, no lock, no system call. Optional:
 //
-//     // Moves what the environment has of its own by one period. Called once per computation of
-//     the
-//     // controller, after the algorithm. `applied_force_n`: F_d as commanded.
+//     // Moves the environment's own state by one period, once per computation of the controller
+//     // and after the algorithm. `applied_force_n`: F_d as commanded.
 //     void advance(const EnvironmentMotion& motion, double applied_force_n);
 //     // A number for each of kDescription.signals, of the last tick.
 //     void show(std::span<double> signals) const;
@@ -70,14 +69,7 @@ struct EnvironmentContext {
   }
 };
 
-struct EnvironmentDescription {
-  std::string_view name;   // the word in the file, --set and the sidecar
-  std::string_view title;  // for people
-  std::string_view idea;   // one line
-  std::span<const ParameterDescription> parameters;
-  std::string_view equation;  // for people: the force in one to three lines
-  std::span<const SignalDescription> signals = {};
-};
+using EnvironmentDescription = PartDescription;
 
 // Room for the state in place, so that a change of environment allocates nothing.
 inline constexpr std::size_t kMaxEnvironmentBytes = 128;

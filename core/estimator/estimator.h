@@ -47,13 +47,7 @@ struct EstimatorContext {
   }
 };
 
-struct EstimatorDescription {
-  std::string_view name;   // the word in the file, --set and the sidecar
-  std::string_view title;  // for people
-  std::string_view idea;   // one line
-  std::span<const ParameterDescription> parameters;
-  std::string_view equation;  // for people: the velocity in one to three lines
-};
+using EstimatorDescription = PartDescription;
 
 struct DerivedNumber {
   std::string_view name;  // "": none

@@ -10,7 +10,7 @@
 
 namespace hapticwall {
 
-// The same ticks, metrics and summaries as simulate_axes(). Axes that need each other tick
+// Ticks, metrics and summaries are those of simulate_axes(). Axes that need each other tick
 // together. Realtime-safe: pass_tick() and push_hand().
 class MeasuredAxes {
  public:

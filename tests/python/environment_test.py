@@ -1,5 +1,6 @@
 """Environments against programs that share no code with them, and in other languages."""
 
+import json
 import math
 import os
 import pathlib
@@ -337,3 +338,41 @@ def test_mistakes_have_one_line():
         hw.load("press").replace({"environment.name": "detent"})
     with pytest.raises(ValueError, match="force has the address 0"):
         hw.environment(0, name="own-nothing")
+
+
+def program(*arguments):
+    command = [os.environ["HAPTICWALL"], *map(str, arguments)]
+    return subprocess.run(command, capture_output=True, text=True, check=False, timeout=100)
+
+
+def test_a_comparison_leaves_out_what_needs_a_stiffness_and_refuses_it_by_name(built):
+    done = program("compare", "press", "--duration", 0.2, "--environment", built["c"], "--json", "-")
+    rows = [row["algorithm"] for row in json.loads(done.stdout)]
+    assert done.returncode == 0 and len(rows) == 8
+    assert not {"virtual-coupling", "energy-limited-spring"} & set(rows)
+    assert done.stderr.count("note: left out: ") == 2
+    named = program("compare", "press", "--environment", built["c"], "--algorithms", "none,virtual-coupling")
+    assert named.returncode == 2 and "virtual-coupling needs the stiffness" in named.stderr
+
+
+def test_a_sidecar_tells_another_file(built, tmp_path):
+    library, csv = tmp_path / "tissue.so", tmp_path / "a.csv"
+    shutil.copy(built["c"], library)
+    run = ("--environment", library, "--duration", 0.2, "--quiet")
+    assert program("run", "press", *run, "--csv", csv).returncode == 0
+    alone = program("run", csv.with_suffix(".toml"))
+    assert alone.returncode == 2 and f"--environment {library} does" in alone.stderr
+    assert "SHA-256 differs" not in program("run", csv.with_suffix(".toml"), *run).stderr
+    with library.open("ab") as file:
+        file.write(b"rebuilt")
+    assert "SHA-256 differs" in program("run", csv.with_suffix(".toml"), *run).stderr
+
+
+def test_a_fault_of_a_library_is_told_at_the_end(tmp_path):
+    text = (SOURCES / "tissue.cpp").read_text(encoding="utf-8")
+    source = tmp_path / "broken.cpp"
+    source.write_text(text.replace("if (!(depth > 0.0)) return 0.0;", "if (depth > 1e-3) throw 1;"), encoding="utf-8")
+    before, after = BUILD["cpp"]
+    subprocess.run([*before, source, "-o", tmp_path / "broken.so", *after], check=True)
+    done = program("run", "press", "--environment", tmp_path / "broken.so", "--algorithm", "none")
+    assert "threw an exception, and the force was zero from then on" in done.stderr

@@ -26,7 +26,7 @@ PluginFiles& plugin_files() {
   return files;
 }
 
-// By index in environments(). Changes before other threads start.
+// Files of environments, by index in environments(). The map changes before other threads start.
 std::map<std::size_t, PluginFile>& environment_files() {
   static std::map<std::size_t, PluginFile> files;
   return files;

@@ -24,7 +24,7 @@ struct PluginFile {
 // start. Realtime-safe: no.
 [[nodiscard]] Result<std::size_t> load_plugin(const std::string& path);
 
-// The same for an environment, and its index in environments().
+// Loads the environment of a plug-in, likewise, and gives its index in environments().
 [[nodiscard]] Result<std::size_t> load_environment(const std::string& path);
 // nullptr for an environment that was not loaded from a file.
 [[nodiscard]] const PluginFile* environment_file(std::size_t environment);

@@ -133,6 +133,8 @@ void read_walls(TableReader& parent, const std::string& prefix, Scene& scene) {
   }
 }
 
+namespace {
+
 // A scene loads no library: its plug-in must be in the list by the option of its kind, such as
 // --algorithm. Returns if the name is none of a plug-in.
 void refuse_plugin(TableReader& reader, const toml::node& node, const std::string& name,
@@ -158,12 +160,7 @@ void refuse_plugin(TableReader& reader, const toml::node& node, const std::strin
                           suggestion(name, names), joined(names)));
 }
 
-template <class List>
-std::vector<std::string_view> names_of(const List& list) {
-  std::vector<std::string_view> names;
-  for (const auto& known : list) names.push_back(known.description.name);
-  return names;
-}
+}  // namespace
 
 AlgorithmSettings read_algorithm(const toml::table& table, const std::string& prefix,
                                  const std::string& origin) {
@@ -176,7 +173,7 @@ AlgorithmSettings read_algorithm(const toml::table& table, const std::string& pr
     if (!index) {
       refuse_plugin(reader, *table.get("name"), *name, plugin, "algorithm");
       refuse_name(reader, *table.get("name"), *name, "algorithm",
-                  file::names_of(algorithms(), &AlgorithmDescription::name));
+                  names_of(algorithms(), &AlgorithmDescription::name));
     }
     settings.index = *index;
   }

@@ -80,6 +80,15 @@ template <typename Elements, typename Name>
   return names;
 }
 
+// The names of all parts of a list, such as estimators() or environments().
+template <typename Parts>
+[[nodiscard]] std::vector<std::string_view> names_of(const Parts& parts) {
+  std::vector<std::string_view> names;
+  names.reserve(std::size(parts));
+  for (const auto& part : parts) names.push_back(part.description.name);
+  return names;
+}
+
 // "a, b, c".
 [[nodiscard]] std::string joined(std::span<const std::string_view> names);
 

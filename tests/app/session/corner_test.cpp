@@ -1,4 +1,5 @@
 // A live session of two axes: the rows of a headless run, replayed and repeated.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <memory>
@@ -6,9 +7,11 @@
 #include <vector>
 
 #include "app/file/recording/recording_reader.h"
+#include "app/session/hand_rerun.h"
 #include "app/session/live_session.h"
 #include "app/session/replay_session.h"
 #include "app/session/scene_change.h"
+#include "core/environment/environment.h"
 #include "tests/app/session/session_support.h"
 
 namespace hapticwall::session {
@@ -141,6 +144,25 @@ TEST(CornerSession, ReplaysBothAxes) {
   const Sample& y = ticks[taken - 1].axes[1];
   EXPECT_EQ(y.tick, (*replay)->snapshot().newest.axes[1].tick);
   EXPECT_EQ(y.force_n, (*replay)->snapshot().newest.axes[1].force_n);
+}
+
+// Axes that need each other from the middle of the session on.
+TEST(CornerSession, RecordsABumpAsAHeadlessRunGivesItAndRefusesToRunOneAxisAgain) {
+  const TemporaryFolder folder;
+  Scene bump = corner_scene();
+  for (AxisSettings& axis : bump.axes) axis.walls.clear();
+  bump.environment.index = find_environment("bump").value();
+  record(folder.file("a.csv"), bump);
+  const auto loaded = file::load_scene(folder.file("a.toml"));
+  ASSERT_TRUE(loaded) << loaded.error().message;
+  ASSERT_EQ(loaded->changes.size(), 1U);
+  EXPECT_EQ(loaded->changes[0].scene.environment, bump.environment);
+  EXPECT_EQ(text_of(folder.file("a.csv")), headless_csv(*loaded));
+  const auto reader = file::RecordingReader::open(folder.file("a.csv"));
+  ASSERT_TRUE(reader);
+  const auto scene = rerun_scene((*reader)->info(), "none", {});
+  ASSERT_FALSE(scene);
+  EXPECT_THAT(scene.error().message, ::testing::HasSubstr("its axes need each other"));
 }
 
 TEST(CornerSession, NamesAChangeOfEitherAxisThatNeedsANewSession) {

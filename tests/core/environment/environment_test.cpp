@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 #include <string>
@@ -145,6 +146,46 @@ TEST(Bump, PushesUphillWithItsSlope) {
   EXPECT_DOUBLE_EQ(found[1], 0.0);
   EXPECT_NEAR(found[2], -steepest_n, 1e-12);
   EXPECT_NEAR(found[3], -5.0 * 0.4 * 3.0 * std::exp(-4.5), 1e-12);
+}
+
+// The walls of a loop do not share the code of an environment.
+TEST(HuntCrossley, OfAStraightSpringIsAWallUnderEveryAlgorithm) {
+  constexpr double kStiffness = 3000.0;
+  for (std::size_t algorithm = 0; algorithm < algorithms().size(); ++algorithm) {
+    SCOPED_TRACE(std::string(algorithms()[algorithm].name));
+    Scene tissue = scene_in("hunt-crossley", {{"position_m", 0.05},
+                                              {"reference_force_n", kStiffness * 0.01},
+                                              {"reference_depth_m", 0.01},
+                                              {"exponent", 1.0},
+                                              {"dissipation_s_per_m", 0.0}});
+    tissue.algorithm.index = algorithm;
+    tissue.x().device.damping_n_s_per_m = 1.0;
+    Scene wall = tissue;
+    wall.environment = {};
+    wall.x().walls = {{.position_m = 0.05, .stiffness_n_per_m = kStiffness}};
+    testing::PositionBench in_tissue(servo_settings(tissue));
+    testing::PositionBench in_wall(servo_settings(wall));
+    double peak_n = 0.0;
+    for (int k = 0; k < 400; ++k) {
+      const double position_m = 0.05 + 2e-3 * std::sin(0.05 * k) + 3e-4 * std::sin(0.9 * k);
+      const Sample expected = in_wall.move_to(position_m);
+      const Sample found = in_tissue.move_to(position_m);
+      ASSERT_NEAR(found.force_n, expected.force_n, 1e-9) << k;
+      ASSERT_NEAR(found.penetration_m, expected.penetration_m, 1e-15) << k;
+      peak_n = std::max(peak_n, found.force_n);
+    }
+    EXPECT_GT(peak_n, 1.0);
+  }
+}
+
+// A controller that computes in every second tick has twice the period: T²K/M = 4 · 0.002.
+TEST(VirtualMass, MovesOnceForEachComputation) {
+  Scene scene = scene_in("virtual-mass", {{"mass_kg", 0.5}, {"stiffness_n_per_m", 1000.0}});
+  scene.sampling.render_every = 2;
+  const auto found = forces(scene, {0.0, 0.0, 1e-3, 1e-3, 1e-3});
+  EXPECT_NEAR(found[2], 1.0, 1e-12);
+  EXPECT_NEAR(found[3], 1.0 - 0.008, 1e-12) << "the mass has moved by its only step";
+  EXPECT_NEAR(found[4], 1.0 - 0.008, 1e-12);
 }
 
 TEST(Environments, AllAlgorithmsRunInEach) {

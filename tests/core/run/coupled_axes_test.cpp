@@ -132,6 +132,23 @@ TEST(CoupledAxes, TheVectorFormBoundsTheVectorAndKeepsItsDirection) {
   EXPECT_GT(longest_n, 1e-3);
 }
 
+// The promise takes the damping that both axes have.
+TEST(CoupledAxes, TheVectorFormTakesTheSmallerDamping) {
+  Scene scene = scene_of("bump", "energy-bounding");
+  for (AxisSettings& axis : scene.axes) axis.device.encoder_m = 0.0;
+  scene.axes[1].device.damping_n_s_per_m = 5.0;
+  set_form(scene, 1.0);
+  const std::vector<Tick> ticks = ticks_of(scene);
+  int at_the_bound = 0;
+  for (std::size_t k = 1; k < ticks.size(); ++k) {
+    const ForceChange change = change_at(ticks[k - 1], ticks[k]);
+    if (change.bound_n == 0.0) continue;
+    ASSERT_LE(change.length_n, change.bound_n * (1.0 + 1e-9)) << k;
+    at_the_bound += change.length_n > 0.999 * change.bound_n ? 1 : 0;
+  }
+  EXPECT_GT(at_the_bound, 0);
+}
+
 TEST(CoupledAxes, TheVectorFormCouplesWallsToo) {
   Scene scene = scene_of("walls", "energy-bounding");
   for (AxisSettings& axis : scene.axes)
