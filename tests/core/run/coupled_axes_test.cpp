@@ -90,6 +90,8 @@ TEST(CoupledAxes, ABumpKnowsBothPositionsOfTheTick) {
   }
 }
 
+constexpr double kDamping = 0.2;  // b, N·s/m
+
 struct ForceChange {
   double length_n = 0.0;
   double bound_n = 0.0;
@@ -108,22 +110,23 @@ ForceChange change_at(const Tick& before, const Tick& now) {
   const double length = std::hypot(got[0], got[1]);
   const double cross = got[0] * wanted[1] - got[1] * wanted[0];
   const double product = length * std::hypot(wanted[0], wanted[1]);
-  return {length, 1.0 * speed, product > 0.0 ? std::abs(cross) / product : 0.0};
+  return {length, kDamping * speed, product > 0.0 ? std::abs(cross) / product : 0.0};
 }
 
-// A hill of 4.7 kN/m, whose force changes by more than b v in a tick of free motion.
+// A hill of 1.6 kN/m, whose force changes by more than b v in a tick. b of axis x is kDamping.
 Scene steep_scene(double damping_y_n_s_per_m) {
   Scene scene = scene_of("bump", "energy-bounding");
   for (AxisSettings& axis : scene.axes) axis.device.encoder_m = 0.0;
+  scene.axes[0].device.damping_n_s_per_m = kDamping;
   scene.axes[1].device.damping_n_s_per_m = damping_y_n_s_per_m;
-  find_scene_number(scene, "environment.weight_n").value().set(scene, 60.0);
+  find_scene_number(scene, "environment.weight_n").value().set(scene, 20.0);
   set_form(scene, 1.0);
   return scene;
 }
 
-// The smaller damping of both axes, 1 N·s/m, is the bound.
+// The smaller damping of both axes is that of the bound.
 TEST(CoupledAxes, TheVectorFormBoundsTheVectorAndKeepsItsDirection) {
-  for (const double damping_y_n_s_per_m : {1.0, 5.0}) {
+  for (const double damping_y_n_s_per_m : {kDamping, 5.0 * kDamping}) {
     const std::vector<Tick> ticks = ticks_of(steep_scene(damping_y_n_s_per_m));
     int at_the_bound = 0;
     for (std::size_t k = 1; k < ticks.size(); ++k) {
