@@ -1,6 +1,7 @@
 // Axes that need each other at every tick.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -141,6 +142,25 @@ TEST(CoupledAxes, TheVectorFormBoundsTheVectorAndKeepsItsDirection) {
     }
     EXPECT_GT(at_the_bound, 20) << damping_y_n_s_per_m;
   }
+}
+
+TEST(CoupledAxes, HalfSampleLooksAheadOnBoth) {
+  Scene scene = scene_of("bump", "half-sample");
+  for (AxisSettings& axis : scene.axes) axis.device.encoder_m = 0.0;
+  double moved_by = 0.0;
+  for (const Tick& tick : ticks_of(scene)) {
+    std::array<double, 2> away{};  // half a tick later, in widths from the top
+    for (std::size_t i = 0; i < 2; ++i) {
+      const Sample& sample = tick.axes.at(i);
+      away.at(i) = (sample.position_m + 0.5e-3 * sample.velocity_m_per_s - 0.05) / 0.008;
+    }
+    const double slope_n =
+        -10.0 * 0.005 / 0.008 * std::exp(-0.5 * (away[0] * away[0] + away[1] * away[1]));
+    ASSERT_NEAR(tick.axes[0].force_n, slope_n * away[0], 1e-12);
+    ASSERT_NEAR(tick.axes[1].force_n, slope_n * away[1], 1e-12);
+    moved_by = std::max(moved_by, std::abs(tick.axes[0].force_n - tick.axes[0].wall_force_n));
+  }
+  EXPECT_GT(moved_by, 1e-3);
 }
 
 TEST(CoupledAxes, TheVectorFormCouplesWallsToo) {
