@@ -130,10 +130,13 @@ TEST(VirtualMass, BeginsAtTheHandleAgainAfterAReset) {
   EXPECT_EQ(bench.move_to(0.5).wall_force_n, 0.0);
 }
 
-TEST(VirtualMass, StaysAtTheHandleWhileNoForceMayAct) {
+TEST(VirtualMass, IsAtTheHandleFromTheTickAfterTheForceHasGone) {
   testing::PositionBench bench(servo_settings(scene_in("virtual-mass")));
+  for (const double position_m : {0.0, 0.01, 0.02}) (void)bench.move_to(position_m);
   bench.servo().state().force_gain = 0.0;
-  for (int i = 0; i < 5; ++i) EXPECT_EQ(bench.move_to(0.01 * i).wall_force_n, 0.0);
+  EXPECT_GT(bench.move_to(0.03).wall_force_n, 10.0);
+  for (const double position_m : {0.04, 0.05, 0.06})
+    EXPECT_EQ(bench.move_to(position_m).wall_force_n, 0.0);
 }
 
 TEST(Bump, PushesUphillWithItsSlope) {
