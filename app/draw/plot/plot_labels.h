@@ -9,6 +9,9 @@
 
 namespace hapticwall::draw {
 
+// Opacity of the background behind labels that stand on a picture.
+inline constexpr float kBehindText = 0.72F;
+
 // Box in pixels; y grows downwards.
 struct PixelBox {
   ImVec2 from;

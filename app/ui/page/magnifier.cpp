@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "app/draw/wall/wall_strip.h"
 #include "app/ui/wall/wall_state.h"
-#include "app/ui/wall/wall_strip.h"
 #include "app/ui/widget/overflow_row.h"
 #include "app/ui/widget/shown_axis.h"
 #include "app/ui/widget/widgets.h"
@@ -117,12 +117,12 @@ void draw_legend(const PanelContext& context) {
   entry(draw::Tone::kAccent, "proxy");
   const Scene scene = shown_scene(context);
   if (const auto& encoder_m = scene.x().device.encoder_m)
-    entry(draw::Tone::kMuted, fmt::format("counts of {}", length_text(*encoder_m)));
+    entry(draw::Tone::kMuted, fmt::format("counts of {}", draw::length_text(*encoder_m)));
   ImGui::NewLine();
 }
 
 // The wheel over the strip, and a double click.
-void take_pointer(const PanelContext& context, const Strip& strip) {
+void take_pointer(const PanelContext& context, const draw::Strip& strip) {
   WallState& state = context.wall;
   ImGui::SetCursorScreenPos(strip.from);
   ImGui::InvisibleButton("##magnifier",
@@ -137,14 +137,14 @@ void take_pointer(const PanelContext& context, const Strip& strip) {
   if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) state.persisted.magnification = 0;
 }
 
-Strip place_strip(const PanelContext& context, const draw::SampleHistory& history,
-                  const WallPicture& picture, double view_pixels_per_m) {
+draw::Strip place_strip(const PanelContext& context, const draw::SampleHistory& history,
+                        const WallPicture& picture, double view_pixels_per_m) {
   WallState& state = context.wall;
   const float line = ImGui::GetTextLineHeightWithSpacing();
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const ImVec2 free = ImGui::GetContentRegionAvail();
-  Strip strip{corner,
-              ImVec2(corner.x + std::max(free.x, 1.0F), corner.y + std::max(free.y - line, 1.0F))};
+  draw::Strip strip{
+      corner, ImVec2(corner.x + std::max(free.x, 1.0F), corner.y + std::max(free.y - line, 1.0F))};
   const double width = static_cast<double>(strip.to.x - strip.from.x);
   const double unmagnified_m = width / std::max(view_pixels_per_m, 1.0);
   const double tip_m = picture.handle_m.x;
@@ -224,14 +224,14 @@ void draw_magnifier(const PanelContext& context, const draw::SampleHistory& hist
   const auto& shown = state.transient.shown;
   picture.shown.front() = context.shows.axis == Axis::kY ? shown.back() : shown.front();
   draw_heading(context, true);
-  const Strip strip = place_strip(context, history, picture, view_pixels_per_m);
+  const draw::Strip strip = place_strip(context, history, picture, view_pixels_per_m);
   take_pointer(context, strip);
   ImDrawList* list = ImGui::GetWindowDrawList();
   list->AddRectFilled(strip.from, strip.to, context.theme.packed(draw::Tone::kBackground));
   list->PushClipRect(strip.from, strip.to, true);
   ImGui::PushFont(nullptr, draw::kSmallFontSize);
-  const StripContent content{&picture, state.transient.magnified.face_m, sample.position_m,
-                             scene.x().device.encoder_m};
+  const draw::StripContent content{&picture, state.transient.magnified.face_m, sample.position_m,
+                                   scene.x().device.encoder_m};
   draw_strip(context.theme, strip, content, list);
   draw_trail(context.theme, strip, history, state.transient.trail, list);
   list->PopClipRect();

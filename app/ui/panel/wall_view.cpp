@@ -100,7 +100,8 @@ void draw_readout(const PanelContext& context, const ViewArea& area) {
   const ImGuiStyle& style = ImGui::GetStyle();
   const draw::PixelBox box = readout_area(context, area);
   ImGui::GetWindowDrawList()->AddRectFilled(
-      box.from, box.to, context.theme.packed(draw::Tone::kPanel, kBehindText), style.FrameRounding);
+      box.from, box.to, context.theme.packed(draw::Tone::kPanel, draw::kBehindText),
+      style.FrameRounding);
   ImGui::SetCursorScreenPos(
       ImVec2(area.corner.x + style.WindowPadding.x, area.corner.y + style.WindowPadding.y));
   ImGui::PushFont(context.theme.fonts.digits, readout_size(context, area));

@@ -6,7 +6,7 @@
 #include "app/session/replay_session.h"
 #include "app/ui/computed/tail.h"
 #include "app/ui/state/messages.h"
-#include "app/ui/wall/wall_picture.h"
+#include "app/ui/wall/wall_measures.h"
 #include "core/scene.h"
 
 namespace hapticwall::ui {

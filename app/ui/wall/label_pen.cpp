@@ -51,7 +51,7 @@ bool LabelPen::write(const Label& label, std::initializer_list<ImVec2> shifts) {
   line(label.thing, label.line_to, label.tone, kLineAlpha);
   list_->AddRectFilled(ImVec2(free->x - kBesideText, free->y),
                        ImVec2(free->x + extent.x + kBesideText, free->y + extent.y),
-                       theme_.packed(draw::Tone::kPanel, kBehindText), 3.0F);
+                       theme_.packed(draw::Tone::kPanel, draw::kBehindText), 3.0F);
   list_->AddText(*free, theme_.packed(label.tone), label.text.c_str());
   return true;
 }

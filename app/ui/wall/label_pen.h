@@ -19,9 +19,6 @@ struct ViewArea {
   ImVec2 size;
 };
 
-// Opacity of the background behind labels.
-inline constexpr float kBehindText = 0.72F;
-
 struct Label {
   ImVec2 place;  // position of its middle; it is kept inside the picture
   draw::Tone tone;

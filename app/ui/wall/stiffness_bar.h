@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/ui/wall/label_pen.h"
-#include "app/ui/wall/wall_picture.h"
+#include "app/ui/wall/wall_measures.h"
 
 namespace hapticwall::ui {
 

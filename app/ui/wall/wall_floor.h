@@ -4,7 +4,7 @@
 #include "app/draw/figure/gl_objects.h"
 #include "app/draw/plot/theme.h"
 #include "app/ui/wall/wall_camera.h"
-#include "app/ui/wall/wall_picture.h"
+#include "app/ui/wall/wall_measures.h"
 #include "core/result.h"
 
 namespace hapticwall::ui {

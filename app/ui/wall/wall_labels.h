@@ -9,7 +9,7 @@
 #include "app/draw/plot/theme.h"
 #include "app/ui/wall/label_pen.h"
 #include "app/ui/wall/wall_camera.h"
-#include "app/ui/wall/wall_picture.h"
+#include "app/ui/wall/wall_measures.h"
 
 namespace hapticwall::ui {
 

@@ -8,7 +8,7 @@
 
 #include "app/draw/plot/sample_history.h"
 #include "app/ui/wall/wall_camera.h"
-#include "app/ui/wall/wall_picture.h"
+#include "app/ui/wall/wall_measures.h"
 #include "app/ui/wall/wall_resolution.h"
 #include "core/scene.h"
 

@@ -2,16 +2,16 @@
 
 #include <gtest/gtest.h>
 
-#include "app/ui/wall/wall_strip.h"
+#include "app/draw/wall/wall_strip.h"
 #include "tests/app/ui/gui_test.h"
 
 namespace hapticwall::test {
 namespace {
 
-using ui::Axis;
+using draw::Axis;
+using draw::Strip;
+using draw::WallPicture;
 using ui::Magnified;
-using ui::Strip;
-using ui::WallPicture;
 
 constexpr double kUnmagnifiedM = 0.035;  // width of 300 pixels in a view with 8.6 pixels/mm
 
@@ -77,12 +77,12 @@ TEST(LookAtContact, ChangesToADeeperFaceWhenThatIsMuchNearer) {
 }
 
 TEST(ScaleBar, IsRoundAndFits) {
-  EXPECT_NEAR(ui::scale_bar_m(8.6e4, 110.0), 1e-3, 1e-12);
-  EXPECT_NEAR(ui::scale_bar_m(8.6e5, 110.0), 1e-4, 1e-12);
-  EXPECT_NEAR(ui::scale_bar_m(8.6e6, 50.0), 5e-6, 1e-12);
-  EXPECT_EQ(ui::length_text(1e-3), "1 mm");
-  EXPECT_EQ(ui::length_text(1e-4), "0.1 mm");
-  EXPECT_EQ(ui::length_text(5e-6), "5 µm");
+  EXPECT_NEAR(draw::scale_bar_m(8.6e4, 110.0), 1e-3, 1e-12);
+  EXPECT_NEAR(draw::scale_bar_m(8.6e5, 110.0), 1e-4, 1e-12);
+  EXPECT_NEAR(draw::scale_bar_m(8.6e6, 50.0), 5e-6, 1e-12);
+  EXPECT_EQ(draw::length_text(1e-3), "1 mm");
+  EXPECT_EQ(draw::length_text(1e-4), "0.1 mm");
+  EXPECT_EQ(draw::length_text(5e-6), "5 µm");
 }
 
 TEST(StripScale, IsTrueToScale) {

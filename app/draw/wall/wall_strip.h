@@ -4,12 +4,13 @@
 #include <imgui.h>
 
 #include <optional>
+#include <string>
 
 #include "app/draw/plot/sample_history.h"
 #include "app/draw/plot/theme.h"
-#include "app/ui/wall/wall_picture.h"
+#include "app/draw/wall/wall_picture.h"
 
-namespace hapticwall::ui {
+namespace hapticwall::draw {
 
 // Conversion from metres along the axis to pixels.
 struct Strip {
@@ -42,13 +43,13 @@ struct StripContent {
 };
 
 // Walls that give way, encoder counts, handle, proxy, measured position, hand and scale bar.
-void draw_strip(const draw::Theme& theme, const Strip& strip, const StripContent& content,
+void draw_strip(const Theme& theme, const Strip& strip, const StripContent& content,
                 ImDrawList* list);
 
 // True and measured position in the last kTrailS, the newest at the top, fading. `scratch` is
 // overwritten.
-void draw_trail(const draw::Theme& theme, const Strip& strip, const draw::SampleHistory& history,
-                draw::Trace& scratch, ImDrawList* list);
+void draw_trail(const Theme& theme, const Strip& strip, const SampleHistory& history,
+                Trace& scratch, ImDrawList* list);
 
 // A length of 1, 2 or 5 times a power of ten metres that takes up to `pixels`.
 [[nodiscard]] double scale_bar_m(double pixels_per_m, double pixels);
@@ -56,4 +57,4 @@ void draw_trail(const draw::Theme& theme, const Strip& strip, const draw::Sample
 // "0.2 mm", "5 µm".
 [[nodiscard]] std::string length_text(double length_m);
 
-}  // namespace hapticwall::ui
+}  // namespace hapticwall::draw

@@ -1,9 +1,9 @@
-#include "app/ui/wall/wall_picture.h"
+#include "app/draw/wall/wall_picture.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace hapticwall::ui {
+namespace hapticwall::draw {
 namespace {
 
 constexpr double kDefaultFullScaleN = 10.0;  // if the device has no force limit
@@ -19,7 +19,7 @@ double towards(double from, double to, double share) {
 
 }  // namespace
 
-void note_swept(Swept& swept, const draw::SampleHistory& history) {
+void note_swept(Swept& swept, const SampleHistory& history) {
   if (history.empty()) {
     swept = {};
     return;
@@ -30,14 +30,14 @@ void note_swept(Swept& swept, const draw::SampleHistory& history) {
   // The newest sample alone counts after a reset or without an earlier frame.
   const bool goes_on = swept.end_tick > 0 && swept.end_tick < end_tick;
   const std::uint64_t count = goes_on ? end_tick - swept.end_tick : 1;
-  const draw::IndexRange range{size - std::min<std::size_t>(count, size), size};
+  const IndexRange range{size - std::min<std::size_t>(count, size), size};
   swept = {history.extremes(&PlantTruth::position_m, range),
            history.extremes(&Sample::force_n, range), end_tick};
 }
 
 void sweep(WallPicture& picture, Axis axis, const Swept& swept) {
   if (swept.end_tick == 0) return;
-  const auto extend = [axis](Reach& reach, const glm::dvec2& newest, const draw::Extremes& all) {
+  const auto extend = [axis](Reach& reach, const glm::dvec2& newest, const Extremes& all) {
     const int i = index_of(axis);
     reach.below[i] = std::max(0.0, newest[i] - all.minimum);
     reach.above[i] = std::max(0.0, all.maximum - newest[i]);
@@ -125,10 +125,9 @@ SweptForce swept_force(const WallPicture& picture) {
   return swept;
 }
 
-glm::vec2 arrow_of(const WallPicture& picture, glm::dvec2 force_n) {
+glm::dvec2 force_share(const WallPicture& picture, glm::dvec2 force_n) {
   const glm::dvec2 share = force_n / std::max(picture.full_scale_n, kMinFullScaleN);
-  const double length = std::max(1.0, glm::length(share));
-  return -WallMeasures::kMaxArrow * glm::vec2(share / length);
+  return share / std::max(1.0, glm::length(share));
 }
 
 ShownStiffness faded(const ShownStiffness& shown, const ShownStiffness& now, double passed_s) {
@@ -166,14 +165,12 @@ StiffnessScale stiffness_scale(const WallPicture& picture) {
   return scale;
 }
 
-ImVec4 stiffness_colour(const draw::Theme& theme, float share) {
-  using draw::mixed;
-  const ImVec4 soft =
-      mixed(theme.colour(draw::Tone::kPanel), theme.colour(draw::Tone::kMuted), 0.55F);
-  const ImVec4 middle = mixed(theme.colour(draw::Tone::kWarning), soft, 0.15F);
-  const ImVec4& stiff = theme.colour(draw::Tone::kWall);
+ImVec4 stiffness_colour(const Theme& theme, float share) {
+  const ImVec4 soft = mixed(theme.colour(Tone::kPanel), theme.colour(Tone::kMuted), 0.55F);
+  const ImVec4 middle = mixed(theme.colour(Tone::kWarning), soft, 0.15F);
+  const ImVec4& stiff = theme.colour(Tone::kWall);
   if (share < kMiddleShare) return mixed(soft, middle, share / kMiddleShare);
   return mixed(middle, stiff, (share - kMiddleShare) / (1.0F - kMiddleShare));
 }
 
-}  // namespace hapticwall::ui
+}  // namespace hapticwall::draw

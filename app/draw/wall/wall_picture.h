@@ -1,5 +1,5 @@
-// The visible state of walls, handle and hand, in metres and newtons. WallRenderer draws it, and
-// the wall view labels it. Independent of OpenGL.
+// The visible state of walls, handle and hand, in metres and newtons: for the magnified contact,
+// and for the wall view of the window. Independent of OpenGL.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@
 #include "core/sample.h"
 #include "core/scene.h"
 
-namespace hapticwall::ui {
+namespace hapticwall::draw {
 
 // The device's axes. A device of one axis stays at y = 0.
 enum class Axis : std::uint8_t { kX, kY };
@@ -61,19 +61,19 @@ struct WallPicture {
   double full_scale_n = 10.0;  // the force with the longest arrow
   bool saturated = false;
   std::array<ShownStiffness, kAxisCount> shown{};
-  std::optional<draw::Tone> energy;  // the lamp's colour, for the edges of the walls on x
+  std::optional<Tone> energy;  // the lamp's colour, for the edges of the walls on x
 
   friend bool operator==(const WallPicture&, const WallPicture&) = default;
 };
 
 // The values of one axis since the last frame that had new samples.
 struct Swept {
-  draw::Extremes place_m;  // true positions of the handle
-  draw::Extremes force_n;
+  Extremes place_m;  // true positions of the handle
+  Extremes force_n;
   std::uint64_t end_tick = 0;  // tick after the newest sample; 0: none yet
 };
 // Costs nothing without a new sample.
-void note_swept(Swept& swept, const draw::SampleHistory& history);
+void note_swept(Swept& swept, const SampleHistory& history);
 
 // `tick`: one sample for each axis of the scene.
 [[nodiscard]] WallPicture wall_picture(const Scene& scene, const Tick& tick);
@@ -99,9 +99,8 @@ struct SweptPlace {
 // The deepest place since the last frame, in truth. Nullopt if no wall was touched.
 [[nodiscard]] std::optional<glm::dvec2> deepest_place(const WallPicture& picture);
 
-// The arrow of a force in the picture's units along the device's axes, positive into the wall; as
-// long as WallMeasures::kMaxArrow at full scale, never longer.
-[[nodiscard]] glm::vec2 arrow_of(const WallPicture& picture, glm::dvec2 force_n);
+// A force as a share of full scale; never longer than 1.
+[[nodiscard]] glm::dvec2 force_share(const WallPicture& picture, glm::dvec2 force_n);
 // The smallest and the largest force since the last frame, by their size on each axis.
 struct SweptForce {
   glm::dvec2 least_n{0.0};
@@ -128,42 +127,6 @@ struct StiffnessScale {
 };
 [[nodiscard]] StiffnessScale stiffness_scale(const WallPicture& picture);
 // The colour of a share.
-[[nodiscard]] ImVec4 stiffness_colour(const draw::Theme& theme, float share);
-[[nodiscard]] inline glm::vec4 rgba(const ImVec4& colour) {
-  return {colour.x, colour.y, colour.z, colour.w};
-}
+[[nodiscard]] ImVec4 stiffness_colour(const Theme& theme, float share);
 
-class WallCamera;
-
-// A picture as a camera sees it, in the colours of a theme.
-struct WallView {
-  const WallPicture& picture;
-  const WallCamera& camera;
-  const draw::Theme& theme;
-};
-
-// Measures in the picture's units, for solids and labels.
-struct WallMeasures {
-  static constexpr float kHandleRadius = 0.42F;
-  static constexpr float kHandleLength = 2.7F;
-  static constexpr float kStylusLength = 2.6F;  // length of a handle that moves on two axes
-  // Start of the sleeve, the hand around the handle; behind the tip.
-  static constexpr float kSleeveFrom = 2.3F;
-  static constexpr float kSleeveTo = 1.35F;
-  static constexpr float kSleeveRadius = 0.46F;
-  static constexpr float kArrowHeight = 0.95F;  // height of the arrow above a single axis
-  static constexpr float kMaxArrow = 3.4F;
-  static constexpr float kFloor = -1.25F;
-  static constexpr float kWallTop = 1.65F;
-  static constexpr float kWallHalfDepth = 1.5F;  // half depth of a wall on a single axis
-  static constexpr float kFarEnd = 6.2F;         // end of the last wall
-  // Height of walls on two axes: lower, so that they hide nothing.
-  static constexpr float kCornerTop = 0.75F;
-  static constexpr float kCornerFront = 4.6F;  // end of these walls in free space
-
-  [[nodiscard]] static float wall_top(const WallPicture& picture) {
-    return picture.two_axes ? kCornerTop : kWallTop;
-  }
-};
-
-}  // namespace hapticwall::ui
+}  // namespace hapticwall::draw

@@ -1,4 +1,4 @@
-#include "app/ui/wall/wall_strip.h"
+#include "app/draw/wall/wall_strip.h"
 
 #include <fmt/format.h>
 
@@ -11,10 +11,9 @@
 
 #include "app/draw/plot/dashes.h"
 #include "app/draw/plot/plot_labels.h"
-#include "app/ui/wall/label_pen.h"
 #include "core/units.h"
 
-namespace hapticwall::ui {
+namespace hapticwall::draw {
 namespace {
 
 constexpr double kMicrometresPerMetre = 1e6;
@@ -26,20 +25,20 @@ constexpr double kBarPixels = 110.0;
 constexpr float kWallAlpha = 0.42F;
 
 ImU32 packed(const ImVec4& colour, float alpha) {
-  return ImGui::ColorConvertFloat4ToU32(draw::with_alpha(colour, alpha));
+  return ImGui::ColorConvertFloat4ToU32(with_alpha(colour, alpha));
 }
 
 // Everything that draws a strip.
 struct Brush {
-  const draw::Theme& theme;
+  const Theme& theme;
   const Strip& strip;
   const StripContent& content;
   ImDrawList* list;
   float line = ImGui::GetFontSize();
 
   // The width of a line on a screen of many pixels per inch.
-  [[nodiscard]] float pixels(float usual) const { return usual * line / draw::kSmallFontSize; }
-  void text(ImVec2 place, draw::Tone tone, const std::string& words) const {
+  [[nodiscard]] float pixels(float usual) const { return usual * line / kSmallFontSize; }
+  void text(ImVec2 place, Tone tone, const std::string& words) const {
     list->AddText(place, theme.packed(tone), words.c_str());
   }
   void upright_line(float x, float from_y, float to_y, ImU32 colour, float width = 1.0F) const {
@@ -98,7 +97,7 @@ void draw_walls(const Brush& brush) {
     const bool last = i + 1 == picture.walls.size() || picture.walls[i + 1].axis != Axis::kX;
     const double* next_m = last ? nullptr : &picture.walls[i + 1].face_m;
     const ImVec4 own = stiffness_colour(brush.theme, scale.share(wall.stiffness_n_per_m));
-    const ImVec4 tint = draw::mixed(own, displayed, static_cast<float>(shown.strength));
+    const ImVec4 tint = mixed(own, displayed, static_cast<float>(shown.strength));
     draw_layer(brush, wall.face_m, next_m, packed(tint, kWallAlpha), packed(own, 0.6F));
     const float face = strip.x_of(wall.face_m);
     const float end = next_m ? strip.x_of(*next_m) : strip.to.x;
@@ -121,7 +120,7 @@ void draw_counts(const Brush& brush) {
   const float from = strip.x_of(brush.content.measured_m - 0.5 * encoder_m);
   const float to = strip.x_of(brush.content.measured_m + 0.5 * encoder_m);
   brush.list->AddRectFilled(ImVec2(from, strip.from.y), ImVec2(to, strip.to.y),
-                            brush.theme.packed(draw::Tone::kPosition, 0.10F));
+                            brush.theme.packed(Tone::kPosition, 0.10F));
   const double left_m = strip.middle_m - 0.5 * strip.span_m;
   const auto first = static_cast<long>(std::ceil(left_m / encoder_m));
   const auto last = static_cast<long>(std::floor((left_m + strip.span_m) / encoder_m));
@@ -131,12 +130,12 @@ void draw_counts(const Brush& brush) {
   const float length = kTickShare * strip.height();
   for (long count = first; count <= last; ++count) {
     const float x = strip.x_of(static_cast<double>(count) * encoder_m);
-    brush.upright_line(x, strip.from.y, strip.to.y, brush.theme.packed(draw::Tone::kText, 0.09F));
-    brush.upright_line(x, strip.to.y - length, strip.to.y, brush.theme.packed(draw::Tone::kMuted),
+    brush.upright_line(x, strip.from.y, strip.to.y, brush.theme.packed(Tone::kText, 0.09F));
+    brush.upright_line(x, strip.to.y - length, strip.to.y, brush.theme.packed(Tone::kMuted),
                        brush.pixels(1.5F));
     if (!numbered) continue;
     const std::string number = fmt::format("{}", count);
-    brush.text(ImVec2(x + 3.0F, strip.to.y - 1.05F * brush.line), draw::Tone::kMuted, number);
+    brush.text(ImVec2(x + 3.0F, strip.to.y - 1.05F * brush.line), Tone::kMuted, number);
   }
 }
 
@@ -149,14 +148,14 @@ void draw_handle(const Brush& brush) {
   const float outside = strip.from.x - 2.0F * half;
   const float tip = strip.x_of(picture.handle_m.x);
   brush.list->AddRectFilled(ImVec2(outside, middle - half), ImVec2(tip, middle + half),
-                            brush.theme.packed(draw::Tone::kText, 0.80F), 0.9F * half,
+                            brush.theme.packed(Tone::kText, 0.80F), 0.9F * half,
                             ImDrawFlags_RoundCornersRight);
-  brush.upright_line(tip, middle - 1.5F * half, strip.trail_from(),
-                     brush.theme.packed(draw::Tone::kText), brush.pixels(1.0F));
+  brush.upright_line(tip, middle - 1.5F * half, strip.trail_from(), brush.theme.packed(Tone::kText),
+                     brush.pixels(1.0F));
   if (const auto proxy_m = proxy_of(picture)) {
     const float face = strip.x_of(proxy_m->x);
     brush.list->AddRect(ImVec2(outside, middle - 1.25F * half), ImVec2(face, middle + 1.25F * half),
-                        brush.theme.packed(draw::Tone::kAccent), 1.1F * half,
+                        brush.theme.packed(Tone::kAccent), 1.1F * half,
                         ImDrawFlags_RoundCornersRight, brush.pixels(2.0F));
   }
 }
@@ -166,7 +165,7 @@ void draw_measured(const Brush& brush) {
   const float x = strip.x_of(brush.content.measured_m);
   const float half = Strip::kHandleHalf * strip.height();
   const float upper = strip.handle_level() - 1.5F * half;
-  const ImU32 colour = brush.theme.packed(draw::Tone::kPosition);
+  const ImU32 colour = brush.theme.packed(Tone::kPosition);
   brush.upright_line(x, upper, strip.trail_from(), colour, brush.pixels(2.0F));
   const float size = 0.3F * brush.line;
   brush.list->AddTriangleFilled(ImVec2(x - size, upper - size), ImVec2(x + size, upper - size),
@@ -174,15 +173,14 @@ void draw_measured(const Brush& brush) {
 }
 
 // Draws words at the top of the strip, in the first row that is free there.
-void draw_at_top(const Brush& brush, draw::PlotInk& ink, float x, draw::Tone tone,
-                 const std::string& words) {
+void draw_at_top(const Brush& brush, PlotInk& ink, float x, Tone tone, const std::string& words) {
   const ImVec2 size = ImGui::CalcTextSize(words.c_str());
   const float top = brush.strip.from.y + 0.25F * brush.line;
   const std::array corners{ImVec2(x, top), ImVec2(x, top + 1.1F * brush.line)};
   const auto place = take_free_place(ink, {brush.strip.from, brush.strip.to}, size, corners);
   if (!place) return;
   brush.list->AddRectFilled(*place, ImVec2(place->x + size.x, place->y + size.y),
-                            brush.theme.packed(draw::Tone::kPanel, kBehindText), 3.0F);
+                            brush.theme.packed(Tone::kPanel, kBehindText), 3.0F);
   brush.text(*place, tone, words);
 }
 
@@ -201,8 +199,8 @@ Beyond beyond(const Brush& brush, double position_m, const std::string& text) {
 }
 
 // Draws the name of a thing beyond the strip, with the distance from the face.
-void draw_thing_beyond(const Brush& brush, draw::PlotInk& ink, const char* name, double position_m,
-                       draw::Tone tone) {
+void draw_thing_beyond(const Brush& brush, PlotInk& ink, const char* name, double position_m,
+                       Tone tone) {
   if (brush.strip.shows(position_m)) return;
   const double depth_m = position_m - brush.content.face_m;
   const Beyond label =
@@ -217,14 +215,14 @@ void draw_face_beyond(const Brush& brush) {
   if (brush.strip.shows(face_m)) return;
   const Beyond label =
       beyond(brush, face_m, "face " + length_text(std::abs(brush.strip.middle_m - face_m)));
-  brush.text(ImVec2(label.x, brush.strip.trail_from() - 1.2F * brush.line), draw::Tone::kWall,
+  brush.text(ImVec2(label.x, brush.strip.trail_from() - 1.2F * brush.line), Tone::kWall,
              label.words);
 }
 
-void draw_true_depth(const Brush& brush, draw::PlotInk& ink) {
+void draw_true_depth(const Brush& brush, PlotInk& ink) {
   const double depth_m = brush.content.picture->handle_m.x - brush.content.face_m;
   if (depth_m <= 0.0 || !brush.strip.shows(brush.content.picture->handle_m.x)) return;
-  draw_at_top(brush, ink, brush.strip.from.x + 0.5F * brush.line, draw::Tone::kText,
+  draw_at_top(brush, ink, brush.strip.from.x + 0.5F * brush.line, Tone::kText,
               fmt::format("true depth {:.4f} mm", depth_m * kMillimetresPerMetre));
 }
 
@@ -235,22 +233,22 @@ void draw_scale_bar(const Brush& brush) {
                   std::min(kBarPixels, 0.3 * static_cast<double>(strip.to.x - strip.from.x)));
   const auto length = static_cast<float>(length_m * strip.pixels_per_m());
   const ImVec2 start(strip.from.x + 0.7F * brush.line, strip.to.y - 1.9F * brush.line);
-  const ImU32 colour = brush.theme.packed(draw::Tone::kText);
+  const ImU32 colour = brush.theme.packed(Tone::kText);
   const float tick = 0.25F * brush.line;
   const std::string words = length_text(length_m);
   const float reach = length + brush.line + ImGui::CalcTextSize(words.c_str()).x;
   brush.list->AddRectFilled(ImVec2(start.x - 0.3F * brush.line, start.y - 0.65F * brush.line),
                             ImVec2(start.x + reach, start.y + 0.65F * brush.line),
-                            brush.theme.packed(draw::Tone::kBackground, 0.75F), 3.0F);
+                            brush.theme.packed(Tone::kBackground, 0.75F), 3.0F);
   brush.list->AddLine(start, ImVec2(start.x + length, start.y), colour, brush.pixels(2.0F));
   for (const float x : {start.x, start.x + length})
     brush.upright_line(x, start.y - tick, start.y + tick, colour, brush.pixels(1.5F));
   brush.text(ImVec2(start.x + length + 0.5F * brush.line, start.y - 0.55F * brush.line),
-             draw::Tone::kText, words);
+             Tone::kText, words);
 }
 
 // Draws one quantity against its age, in pieces that fade with age.
-void draw_trail_line(const Strip& strip, const draw::Trace& trace, double newest_s, ImVec4 colour,
+void draw_trail_line(const Strip& strip, const Trace& trace, double newest_s, ImVec4 colour,
                      bool steps, ImDrawList* list) {
   constexpr double kPieces = 10.0;
   constexpr float kNewestAlpha = 0.95F;
@@ -273,9 +271,8 @@ void draw_trail_line(const Strip& strip, const draw::Trace& trace, double newest
       if (age(i - 1) * kPieces >= piece + 1.0) break;
     }
     const auto faded = static_cast<float>(1.0 - std::min(piece / kPieces, 1.0));
-    draw::keep_bends(points);
-    draw::draw_dashed(list, points, packed(colour, kNewestAlpha * faded), 1.5F, draw::Dash::kSolid,
-                      1.0F);
+    keep_bends(points);
+    draw_dashed(list, points, packed(colour, kNewestAlpha * faded), 1.5F, Dash::kSolid, 1.0F);
   }
 }
 
@@ -293,7 +290,7 @@ bool Strip::shows(double position_m) const {
   return std::abs(position_m - middle_m) <= 0.5 * span_m;
 }
 
-void draw_strip(const draw::Theme& theme, const Strip& strip, const StripContent& content,
+void draw_strip(const Theme& theme, const Strip& strip, const StripContent& content,
                 ImDrawList* list) {
   const Brush brush{theme, strip, content, list};
   const WallPicture& picture = *content.picture;
@@ -303,26 +300,26 @@ void draw_strip(const draw::Theme& theme, const Strip& strip, const StripContent
   draw_measured(brush);
   if (picture.hand_m && strip.shows(picture.hand_m->x)) {
     brush.upright_line(strip.x_of(picture.hand_m->x), strip.from.y, strip.to.y,
-                       theme.packed(draw::Tone::kHand), 1.5F);
+                       theme.packed(Tone::kHand), 1.5F);
   }
-  draw::PlotInk ink;
+  PlotInk ink;
   draw_true_depth(brush, ink);
-  draw_thing_beyond(brush, ink, "handle", picture.handle_m.x, draw::Tone::kText);
-  if (picture.hand_m) draw_thing_beyond(brush, ink, "hand", picture.hand_m->x, draw::Tone::kHand);
+  draw_thing_beyond(brush, ink, "handle", picture.handle_m.x, Tone::kText);
+  if (picture.hand_m) draw_thing_beyond(brush, ink, "hand", picture.hand_m->x, Tone::kHand);
   draw_face_beyond(brush);
   draw_scale_bar(brush);
 }
 
-void draw_trail(const draw::Theme& theme, const Strip& strip, const draw::SampleHistory& history,
-                draw::Trace& scratch, ImDrawList* list) {
+void draw_trail(const Theme& theme, const Strip& strip, const SampleHistory& history,
+                Trace& scratch, ImDrawList* list) {
   const double newest_s = history.newest_time_s();
-  const draw::IndexRange recent = history.range(newest_s - kTrailS, newest_s);
+  const IndexRange recent = history.range(newest_s - kTrailS, newest_s);
   if (recent.count() < 2) return;
   const auto rows = static_cast<std::size_t>(std::max(strip.to.y - strip.trail_from(), 1.0F));
   history.decimate(&Sample::position_m, recent, rows, 1.0, scratch);
-  draw_trail_line(strip, scratch, newest_s, theme.colour(draw::Tone::kPosition), true, list);
+  draw_trail_line(strip, scratch, newest_s, theme.colour(Tone::kPosition), true, list);
   history.decimate(&PlantTruth::position_m, recent, rows, 1.0, scratch);
-  draw_trail_line(strip, scratch, newest_s, theme.colour(draw::Tone::kText), false, list);
+  draw_trail_line(strip, scratch, newest_s, theme.colour(Tone::kText), false, list);
 }
 
 double scale_bar_m(double pixels_per_m, double pixels) {
@@ -340,4 +337,4 @@ std::string length_text(double length_m) {
   return fmt::format("{:.3g} mm", length_m * kMillimetresPerMetre);
 }
 
-}  // namespace hapticwall::ui
+}  // namespace hapticwall::draw
