@@ -14,8 +14,9 @@
 
 namespace hapticwall::command {
 
-// Default scene of the window.
-inline constexpr const char* kDefaultScene = "tap";
+// The window opens with this scene under this algorithm.
+inline constexpr const char* kDefaultScene = "press";
+inline constexpr const char* kDefaultAlgorithm = "none";
 
 // The scene and its device, also of the window.
 struct SceneOptions {

@@ -143,7 +143,7 @@ Result<int> open_recording(const SceneOptions& options, const LookOptions& look,
   return status_after_window(run_replay_window(std::move(*recording), std::move(window), open));
 }
 
-Result<int> open_window(const SceneOptions& options, const LookOptions& look, bool repeats,
+Result<int> open_window(const SceneOptions& options, const LookOptions& look,
                         const session::OpenWindow& open) {
   if (file::is_recording(options.scene)) return open_recording(options, look, open);
   const Result<DeviceChoice> device = parse_device_choice(options.device);
@@ -173,7 +173,6 @@ Result<int> open_window(const SceneOptions& options, const LookOptions& look, bo
   window.stream = *stream;
   window.signals = session.signals;
   window.spin_s = *spin_s;
-  window.repeats = repeats;
   window.experiment = *experiment;
   window.settings_path = file::settings_path(file::process_environment);
   window.opened_file = opened_file(options.scene);
@@ -189,7 +188,7 @@ Action add_window(CLI::App& program, session::OpenWindow open) {
   program
       .add_option(
           "SCENE", options->scene,
-          "Scene file, name of a built-in scene (default: tap, again and again), or a recording")
+          "Scene file, name of a built-in scene (default: press under none), or a recording")
       ->type_name("");
   add_algorithm_option(program, *options);
   add_scene_options(program, *options);
@@ -204,9 +203,11 @@ Action add_window(CLI::App& program, session::OpenWindow open) {
       ->check(is_number_within(kMin, kMax))
       ->type_name("FACTOR");
   return [options, look, open = std::move(open)] {
-    const bool repeats = options->scene.empty();
-    if (repeats) options->scene = kDefaultScene;
-    return open_window(*options, *look, repeats, open);
+    if (options->scene.empty()) {
+      options->scene = kDefaultScene;
+      if (options->algorithm.empty()) options->algorithm = kDefaultAlgorithm;
+    }
+    return open_window(*options, *look, open);
   };
 }
 

@@ -17,6 +17,10 @@ class RecordedHand {
   // `positions_m`: at the ticks from `first_tick` on; at least one.
   RecordedHand(const Scene& scene, std::uint64_t first_tick, std::vector<double> positions_m);
 
+  // The position at the tick after the last one, for a recording that goes on. Append it before the
+  // hand is led there.
+  void append(double position_m) { positions_m_.push_back(position_m); }
+
   // Call one of them at every tick from 0 on, when the plant or its path is at that tick.
   void lead(PlantModel& plant);
   // True if the path follows recorded positions during this tick, and no script.

@@ -39,9 +39,8 @@ struct WindowOptions {
   double spin_s = 0.0;                         // see SessionOptions::spin_s; on the simulator
   std::shared_ptr<file::SampleStream> stream;  // see SessionOptions::stream; on the simulator
   std::vector<file::SignalColumn> signals;     // see SessionOptions::signals; on the simulator
-  bool repeats = false;     // a simulated scene begins anew at its end, until another one is chosen
-  std::string opened_file;  // the scene's file; empty: a built-in scene
-  std::shared_ptr<Experiment> experiment;  // experiment that starts at once; null: none
+  std::string opened_file;                     // the scene's file; empty: a built-in scene
+  std::shared_ptr<Experiment> experiment;      // experiment that starts at once; null: none
 };
 
 // Opens a window and returns when it is closed.

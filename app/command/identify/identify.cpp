@@ -193,7 +193,7 @@ Command add_identify(CLI::App& program) {
   CLI::App* app = program.add_subcommand(
       "identify", "Find mass, damping, friction and delay of a device; it moves by itself");
   app->add_option("SCENE", options->scene.scene,
-                  "The scene of a simulated device, without its hand and walls (default: tap)");
+                  "The scene of a simulated device, without its hand and walls (default: press)");
   add_scene_options(*app, options->scene);
   add_device_options(*app, options->scene);
   app->add_option("--limit", options->choice.limit_n,

@@ -190,16 +190,20 @@ Result<GlTarget> GlTarget::create(int width, int height, int samples) {
                fmt::format("OpenGL refuses a picture of {}x{} pixels", width, height)};
 }
 
+GLuint GlTarget::drawn_framebuffer() const {
+  return drawn_.get() != 0 ? drawn_.get() : resolved_.get();
+}
+
 void GlTarget::bind() const {
-  glBindFramebuffer(GL_FRAMEBUFFER, drawn_.get() != 0 ? drawn_.get() : resolved_.get());
+  glBindFramebuffer(GL_FRAMEBUFFER, drawn_framebuffer());
   glViewport(0, 0, width_, height_);
 }
 
 void GlTarget::copy_colours(const GlTarget& from) const {
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, from.resolved_.get());
-  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_.get());
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, from.drawn_framebuffer());
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, drawn_framebuffer());
   glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
-  glBindFramebuffer(GL_FRAMEBUFFER, resolved_.get());
+  glBindFramebuffer(GL_FRAMEBUFFER, drawn_framebuffer());
 }
 
 void GlTarget::resolve() const {

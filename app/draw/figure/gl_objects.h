@@ -88,7 +88,7 @@ class GlTarget {
   [[nodiscard]] static Result<GlTarget> create(int width, int height, int samples);
 
   void bind() const;  // draw here from now on
-  // Takes over the colours of a target of the same size; both have one sample a pixel.
+  // Takes over the colours of a target of the same size and number of samples.
   void copy_colours(const GlTarget& from) const;
   void resolve() const;  // the texture shows what was drawn; the default framebuffer is bound again
   [[nodiscard]] GLuint texture() const { return texture_.get(); }
@@ -97,6 +97,8 @@ class GlTarget {
   [[nodiscard]] int height() const { return height_; }
 
  private:
+  [[nodiscard]] GLuint drawn_framebuffer() const;
+
   int width_ = 0;
   int height_ = 0;
   GlName<release_texture> texture_;

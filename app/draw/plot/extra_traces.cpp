@@ -38,10 +38,20 @@ void replace_extra_traces(std::vector<ExtraTrace>& all, ExtraSource source,
   std::move(traces.begin(), traces.end(), std::back_inserter(all));
 }
 
+namespace {
+
+// Traces have measured positions, which stay where the session shows only its true one.
+bool has_drawn(const PlotSurface& surface, const PlotDescription& plot, const ExtraTrace& trace,
+               const PlotLine& line) {
+  return has(surface, trace, line) &&
+         (is_drawn(surface, plot, line) || hides_counts(surface, line));
+}
+
+}  // namespace
+
 bool is_drawn(const PlotSurface& surface, const PlotDescription& plot, const ExtraTrace& trace) {
-  return std::any_of(plot.lines.begin(), plot.lines.end(), [&](const PlotLine& line) {
-    return has(surface, trace, line) && is_drawn(surface, plot, line);
-  });
+  return std::any_of(plot.lines.begin(), plot.lines.end(),
+                     [&](const PlotLine& line) { return has_drawn(surface, plot, trace, line); });
 }
 
 std::optional<Extremes> extra_extremes(const PlotSurface& surface, const PlotLine& line) {
@@ -59,7 +69,7 @@ void draw_extra_traces(const PlotSurface& surface, const PlotDescription& plot) 
   for (const ExtraTrace& trace : surface.extra_traces) {
     ++index;
     for (const PlotLine& line : plot.lines) {
-      if (!has(surface, trace, line) || !is_drawn(surface, plot, line)) continue;
+      if (!has_drawn(surface, plot, trace, line)) continue;
       const ValueScale& scale = plot.scale_of(line);
       const std::string name = fmt::format("{}##extra{}", line.name, index);
       draw_trace({*trace.history, line.quantity, visible_range(surface, trace), scale.scale,

@@ -151,8 +151,9 @@ void draw_lines(const PlotSurface& surface, const PlotDescription& plot, IndexRa
   if (range.count() == 0) return;
   const auto drawn = std::ranges::count_if(
       plot.lines, [&](const PlotLine& line) { return is_drawn(surface, plot, line); });
-  for (const PlotLine& line : plot.lines) {
-    if (!is_drawn(surface, plot, line)) continue;
+  for (const PlotLine& described : plot.lines) {
+    if (!is_drawn(surface, plot, described)) continue;
+    const PlotLine line = shown_line(surface, plot, described);
     const ValueScale& scale = plot.scale_of(line);
     TraceStyle style{line.name, surface.theme->colour(line.tone), surface.line_weight, line.dash,
                      scale.smallest_span};

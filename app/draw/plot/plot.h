@@ -74,6 +74,8 @@ struct PlotSurface {
   PlotMarks marks;                           // marks of recordings
   bool* show_bounds = nullptr;               // null: no choice; always shown
   bool simulated = true;                     // false: the plant's truth is unknown
+  // Position as the encoder counts it, beside the true one of a simulator; null: no choice, shown.
+  bool* show_counts = nullptr;
   bool interactive = true;
   bool time_labels = true;   // shown below the plot
   bool value_labels = true;  // shown beside the plot

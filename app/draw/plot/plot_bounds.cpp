@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 
 #include "app/draw/plot/dashes.h"
@@ -12,6 +13,7 @@ namespace hapticwall::draw {
 namespace {
 
 constexpr float kBoundLineWeight = 1.0F;
+constexpr float kNearEms = 0.35F;
 
 // Looks for a place above and below the line, from right to left.
 std::optional<ImVec2> label_place(PlotInk& ink, const PixelBox& area, float y, ImVec2 size) {
@@ -25,6 +27,26 @@ std::optional<ImVec2> label_place(PlotInk& ink, const PixelBox& area, float y, I
     corners[2 * static_cast<std::size_t>(i) + 1] = {x, y + gap};
   }
   return take_free_place(ink, area, size, corners);
+}
+
+// Bounds that stand within some pixels of each other are one line with one label, at the first
+// of them.
+std::vector<BoundLine> apart(const std::vector<BoundLine>& bounds, double scale) {
+  const double x = ImPlot::GetPlotLimits().X.Min;
+  const auto y_of = [&](const BoundLine& bound) {
+    return ImPlot::PlotToPixels(x, bound.value * scale).y;
+  };
+  std::vector<BoundLine> result;
+  for (const BoundLine& bound : bounds) {
+    const bool near = !result.empty() &&
+                      std::abs(y_of(result.back()) - y_of(bound)) < kNearEms * ImGui::GetFontSize();
+    if (near) {
+      result.back().label += ", " + bound.label;
+    } else {
+      result.push_back(bound);
+    }
+  }
+  return result;
 }
 
 }  // namespace
@@ -51,8 +73,9 @@ std::vector<BoundLine> bound_lines(const StabilityBounds& bounds) {
   return lines;
 }
 
-void draw_bounds(const Theme& theme, const std::vector<BoundLine>& bounds, double scale,
+void draw_bounds(const Theme& theme, const std::vector<BoundLine>& all, double scale,
                  PlotInk& ink) {
+  const std::vector<BoundLine> bounds = apart(all, scale);
   const ImPlotRect limits = ImPlot::GetPlotLimits();
   ImDrawList* list = ImPlot::GetPlotDrawList();
   const float font_scale = ImGui::GetStyle().FontScaleMain;

@@ -121,15 +121,17 @@ float draw_legend(PlotSurface& surface, const PlotDescription& plot, const std::
   };
   float total = -gap;
   for (const PlotLine& line : plot.lines) {
-    if (is_chosen(surface, plot, line)) total += entry_width(text_of(line)) + gap;
+    if (is_chosen(surface, plot, line))
+      total += entry_width(text_of(shown_line(surface, plot, line))) + gap;
   }
   const float right = corner.x + width;
   total += extra_legend_width(surface, plot);
   LegendRows rows(corner, std::max(left, right - total), right);
   for (const PlotLine& line : plot.lines) {
     if (!is_chosen(surface, plot, line)) continue;
-    const std::string text = text_of(line);
-    draw_legend_entry(surface, plot, line, text, rows.next(entry_width(text)));
+    const PlotLine shown = shown_line(surface, plot, line);
+    const std::string text = text_of(shown);
+    draw_legend_entry(surface, plot, shown, text, rows.next(entry_width(text)));
   }
   for (const ExtraTrace& trace : surface.extra_traces) {
     if (is_drawn(surface, plot, trace))
@@ -138,14 +140,28 @@ float draw_legend(PlotSurface& surface, const PlotDescription& plot, const std::
   return rows.bottom();
 }
 
+// The counts are shown on demand, whatever the settings of an earlier version have chosen.
+void choose_line(const PlotSurface& surface, const PlotLine& line, bool on, bool was_hidden,
+                 LineSet& chosen) {
+  const bool counts = surface.simulated && line.quantity == &Sample::position_m;
+  if (counts && surface.show_counts != nullptr) *surface.show_counts = on;
+  if (was_hidden) {
+    chosen |= line_bit(line.quantity);
+  } else if (!counts || surface.show_counts == nullptr) {
+    chosen ^= line_bit(line.quantity);
+  }
+}
+
 void draw_choice_of_lines(PlotSurface& surface, const PlotDescription& plot) {
   LineSet& chosen = (*surface.chosen)[static_cast<std::size_t>(plot.id)];
   for (const PlotLine& line : plot.lines) {
     bool on = is_chosen(surface, plot, line);
+    const bool was_hidden = hides_counts(surface, line);
     ImGui::BeginDisabled(line.is_truth() && !surface.simulated);
     ImGui::PushStyleColor(ImGuiCol_CheckMark, surface.theme->colour(line.tone));
-    if (ImGui::Checkbox(fmt::format("{0}###signal {0}", line.name).c_str(), &on))
-      chosen ^= line_bit(line.quantity);
+    const char* name = line.quantity == &Sample::position_m ? "encoder counts" : line.name;
+    if (ImGui::Checkbox(fmt::format("{}###signal {}", name, line.name).c_str(), &on))
+      choose_line(surface, line, on, was_hidden, chosen);
     ImGui::PopStyleColor();
     ImGui::EndDisabled();
     ImGui::SameLine();
@@ -176,7 +192,25 @@ void draw_signals_button(PlotSurface& surface, const PlotDescription& plot) {
 
 }  // namespace
 
+bool hides_counts(const PlotSurface& surface, const PlotLine& line) {
+  return surface.simulated && line.quantity == &Sample::position_m &&
+         surface.show_counts != nullptr && !*surface.show_counts;
+}
+
+PlotLine shown_line(const PlotSurface& surface, const PlotDescription& plot, const PlotLine& line) {
+  const auto measured = std::ranges::find_if(plot.lines, [&](const PlotLine& other) {
+    return line.measured_as == other.quantity && hides_counts(surface, other);
+  });
+  if (measured == plot.lines.end()) return line;
+  PlotLine shown = line;
+  shown.name = measured->name;
+  shown.tone = measured->tone;
+  shown.dash = measured->dash;
+  return shown;
+}
+
 bool is_chosen(const PlotSurface& surface, const PlotDescription& plot, const PlotLine& line) {
+  if (hides_counts(surface, line)) return false;
   const LineSet chosen = (*surface.chosen)[static_cast<std::size_t>(plot.id)];
   return (chosen & line_bit(line.quantity)) != 0U && (surface.simulated || !line.is_truth());
 }

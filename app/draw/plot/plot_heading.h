@@ -7,6 +7,11 @@
 
 namespace hapticwall::draw {
 
+// True for the measured position while only the true one is shown.
+[[nodiscard]] bool hides_counts(const PlotSurface& surface, const PlotLine& line);
+// The line as it looks now: a true position that stands for the measured one has its look.
+[[nodiscard]] PlotLine shown_line(const PlotSurface& surface, const PlotDescription& plot,
+                                  const PlotLine& line);
 // True if the line is chosen for this plot and not hidden.
 [[nodiscard]] bool is_chosen(const PlotSurface& surface, const PlotDescription& plot,
                              const PlotLine& line);

@@ -174,11 +174,18 @@ void end_raised() {
 
 void begin_choice(const Theme& theme, bool chosen) {
   constexpr float kChosenAlpha = 0.30F;
+  constexpr float kEdgeAlpha = 0.45F;
+  ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, 1.0F);
+  ImGui::PushStyleColor(ImGuiCol_Border, chosen ? theme.packed(Tone::kAccent)
+                                                : theme.packed(Tone::kMuted, kEdgeAlpha));
   ImGui::PushStyleColor(ImGuiCol_Button,
                         chosen ? theme.packed(Tone::kAccent, kChosenAlpha) : IM_COL32_BLACK_TRANS);
 }
 
-void end_choice() { ImGui::PopStyleColor(); }
+void end_choice() {
+  ImGui::PopStyleColor(2);
+  ImGui::PopStyleVar();
+}
 
 float button_width(const char* label) {
   return ImGui::CalcTextSize(label, nullptr, true).x + 2.0F * ImGui::GetStyle().FramePadding.x;

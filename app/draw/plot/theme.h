@@ -59,7 +59,7 @@ void restyle(Theme& theme, Look look, float scale);
 void begin_raised(const Theme& theme);
 void end_raised();
 
-// Around a button: highlights it if `chosen`, else removes its background.
+// Around a button that is a toggle: an outline, and filled while it is `chosen`.
 void begin_choice(const Theme& theme, bool chosen);
 void end_choice();
 

@@ -66,6 +66,7 @@ WallPicture wall_picture(const Scene& scene, const Tick& tick) {
     picture.force_n[i] = sample.force_n;
     picture.full_scale_n =
         std::max(picture.full_scale_n, axis.device.force_limit_n.value_or(kDefaultFullScaleN));
+    picture.has_limit = picture.has_limit || axis.device.force_limit_n.has_value();
     picture.saturated = picture.saturated || (sample.flags & kFlagForceLimit) != 0U;
   }
   std::stable_sort(picture.walls.begin(), picture.walls.end(),

@@ -59,9 +59,10 @@ struct WallPicture {
   glm::dvec2 force_n{0.0};         // F_d; positive pushes out of the wall
   Reach force_reach_n;
   double full_scale_n = 10.0;  // the force with the longest arrow
+  bool has_limit = false;      // the full scale is the force limit of the device
   bool saturated = false;
   std::array<ShownStiffness, kAxisCount> shown{};
-  std::optional<Tone> energy;  // the lamp's colour, for the edges of the walls on x
+  std::optional<Tone> verdict;  // its colour, for the edges of the walls on x; nullopt: their own
 
   friend bool operator==(const WallPicture&, const WallPicture&) = default;
 };

@@ -40,15 +40,16 @@ struct StripContent {
   double face_m = 0.0;                   // face of the wall that the numbers refer to
   double measured_m = 0.0;
   std::optional<double> encoder_m;
+  bool measured = true;  // false: without encoder counts, measured position and numbers
 };
 
 // Walls that give way, encoder counts, handle, proxy, measured position, hand and scale bar.
 void draw_strip(const Theme& theme, const Strip& strip, const StripContent& content,
                 ImDrawList* list);
 
-// True and measured position in the last kTrailS, the newest at the top, fading. `scratch` is
-// overwritten.
-void draw_trail(const Theme& theme, const Strip& strip, const SampleHistory& history,
+// True position in the last kTrailS, the newest at the top, fading; `measured`: that of the
+// encoder, too. `scratch` is overwritten.
+void draw_trail(const Theme& theme, const Strip& strip, const SampleHistory& history, bool measured,
                 Trace& scratch, ImDrawList* list);
 
 // A length of 1, 2 or 5 times a power of ten metres that takes up to `pixels`.

@@ -36,4 +36,7 @@ using OpenCard = std::function<Result<std::unique_ptr<Card>>(const FillSound& fi
 // The usual card of this machine, through ALSA or JACK. ALSA reaches PipeWire and PulseAudio, too.
 [[nodiscard]] Result<std::unique_ptr<Card>> open_usual_card(const FillSound& fill);
 
+// True if the kernel knows a card or a sound server runs; opens nothing. Realtime-safe: no.
+[[nodiscard]] bool may_have_card();
+
 }  // namespace hapticwall::sound

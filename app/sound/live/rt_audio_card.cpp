@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
+#include <filesystem>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -123,6 +126,16 @@ Result<std::unique_ptr<Card>> open_usual_card(const FillSound& fill) {
     if (problem == "no sound card") problem = of_this;
   }
   return Error{ErrorKind::kDevice, std::move(problem)};
+}
+
+bool may_have_card() {
+  std::error_code error;
+  if (std::filesystem::exists("/proc/asound/card0", error)) return true;
+  const char* runtime = std::getenv("XDG_RUNTIME_DIR");  // NOLINT(concurrency-mt-unsafe)
+  if (runtime == nullptr) return false;
+  const std::filesystem::path folder(runtime);
+  return std::filesystem::exists(folder / "pipewire-0", error) ||
+         std::filesystem::exists(folder / "pulse" / "native", error);
 }
 
 }  // namespace hapticwall::sound

@@ -98,6 +98,11 @@ std::string movement_text(const Tail& tail) {
   return is_good(tail.summary.verdict) ? "the hand moves" : "no rhythm";
 }
 
+std::string numbers_text(const Summary& s) {
+  const file::TailTexts tail = file::tail_texts(s);
+  return fmt::format("{} · {} · {}", tail.way, tail.force, tail.stiffness);
+}
+
 // True for a verdict about something that swings.
 bool shakes(Verdict verdict) {
   return verdict == Verdict::kBuzzing || verdict == Verdict::kOscillating;
@@ -155,14 +160,17 @@ std::string rhythm_text(const Tail& tail) {
 }
 
 std::string figures_text(const Summary& s) {
-  const file::TailTexts tail = file::tail_texts(s);
-  return fmt::format("{} · {} · {} · {}", file::verdict_text(s), tail.way, tail.force,
-                     tail.stiffness);
+  return file::verdict_text(s) + " · " + numbers_text(s);
+}
+
+std::string tail_numbers_text(const Tail& tail) {
+  if (tail.end_tick == 0 || !tail.summary.tail_peak_to_peak_m) return "no sample yet";
+  return numbers_text(tail.summary) + " · " + movement_text(tail);
 }
 
 std::string tail_text(const Tail& tail) {
-  if (tail.end_tick == 0 || !tail.summary.tail_peak_to_peak_m) return "no sample yet";
-  return figures_text(tail.summary) + " · " + movement_text(tail);
+  if (tail.end_tick == 0 || !tail.summary.tail_peak_to_peak_m) return tail_numbers_text(tail);
+  return file::verdict_text(tail.summary) + " · " + tail_numbers_text(tail);
 }
 
 }  // namespace hapticwall::ui

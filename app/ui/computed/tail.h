@@ -36,6 +36,8 @@ void note_tails(Tails& tails, const draw::TickHistory& history, const Scene& sce
 [[nodiscard]] std::string rhythm_text(const Tail& tail);
 // "settled · 0.000 mm p-p · 4.967 ± 0.128 N · 30.12 kN/m", with the digits of `run`.
 [[nodiscard]] std::string figures_text(const Summary& summary);
+// tail_text() without the verdict's word: "0.000 mm p-p · … · quiet".
+[[nodiscard]] std::string tail_numbers_text(const Tail& tail);
 // figures_text() and the rhythm: "… · quiet".
 [[nodiscard]] std::string tail_text(const Tail& tail);
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/draw/wall/wall_strip.h"
+#include "app/ui/panel/verdict_view.h"
 #include "app/ui/wall/wall_state.h"
 #include "app/ui/widget/overflow_row.h"
 #include "app/ui/widget/shown_axis.h"
@@ -122,7 +123,7 @@ void draw_legend(const PanelContext& context) {
 }
 
 // The wheel over the strip, and a double click.
-void take_pointer(const PanelContext& context, const draw::Strip& strip) {
+void take_pointer(const PanelContext& context, const draw::PixelBox& strip) {
   WallState& state = context.wall;
   ImGui::SetCursorScreenPos(strip.from);
   ImGui::InvisibleButton("##magnifier",
@@ -137,24 +138,13 @@ void take_pointer(const PanelContext& context, const draw::Strip& strip) {
   if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) state.persisted.magnification = 0;
 }
 
-draw::Strip place_strip(const PanelContext& context, const draw::SampleHistory& history,
-                        const WallPicture& picture, double view_pixels_per_m) {
-  WallState& state = context.wall;
+// The box of the strip in the current window, above the legend.
+draw::PixelBox strip_box() {
   const float line = ImGui::GetTextLineHeightWithSpacing();
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const ImVec2 free = ImGui::GetContentRegionAvail();
-  draw::Strip strip{
-      corner, ImVec2(corner.x + std::max(free.x, 1.0F), corner.y + std::max(free.y - line, 1.0F))};
-  const double width = static_cast<double>(strip.to.x - strip.from.x);
-  const double unmagnified_m = width / std::max(view_pixels_per_m, 1.0);
-  const double tip_m = picture.handle_m.x;
-  Magnified& magnified = state.transient.magnified;
-  const double deepest_m = recent_positions(history, kLookBackS, tip_m).maximum - magnified.face_m;
-  strip.span_m = unmagnified_m / choose_magnification(state, deepest_m, unmagnified_m);
-  const draw::Extremes recent = recent_positions(history, kFollowS, tip_m);
-  magnified = look_at_contact(picture, recent.minimum, recent.maximum, strip.span_m, magnified);
-  strip.middle_m = magnified.middle_m;
-  return strip;
+  return {corner,
+          ImVec2(corner.x + std::max(free.x, 1.0F), corner.y + std::max(free.y - line, 1.0F))};
 }
 
 // The nearest face; keeps the previous one unless another is much nearer.
@@ -210,34 +200,58 @@ Magnified look_at_contact(const WallPicture& picture, double least_m, double mos
   return result;
 }
 
+double recent_depth_m(const ContactView& view, const Magnified& magnified) {
+  return recent_positions(view.history, kLookBackS, view.picture.handle_m.x).maximum -
+         magnified.face_m;
+}
+
+double contact_span_m(WallState& state, double deepest_m, double unmagnified_m) {
+  return unmagnified_m / choose_magnification(state, deepest_m, unmagnified_m);
+}
+
+void draw_contact(const draw::Theme& theme, const draw::PixelBox& box, double span_m,
+                  const ContactView& view, Magnified& magnified, draw::Trace& trail) {
+  const draw::Extremes recent = recent_positions(view.history, kFollowS, view.picture.handle_m.x);
+  magnified = look_at_contact(view.picture, recent.minimum, recent.maximum, span_m, magnified);
+  const draw::Strip strip{box.from, box.to, magnified.middle_m, span_m};
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  list->AddRectFilled(strip.from, strip.to, theme.packed(draw::Tone::kBackground));
+  list->PushClipRect(strip.from, strip.to, true);
+  const draw::FontScope font(nullptr, draw::kSmallFontSize);
+  draw_strip(
+      theme, strip,
+      {&view.picture, magnified.face_m, view.newest.position_m, view.encoder_m, view.measured},
+      list);
+  draw_trail(theme, strip, view.history, view.measured, trail, list);
+  list->PopClipRect();
+}
+
 void draw_magnifier(const PanelContext& context, const draw::SampleHistory& history,
                     double view_pixels_per_m) {
   const Scene scene = shown_scene(context);
-  const Sample& sample = shown_sample(context);
-  WallPicture picture = wall_picture(scene, sample);
+  WallPicture picture = wall_picture(scene, shown_sample(context));
   if (outermost_wall(picture, Axis::kX) == nullptr) {
     draw_heading(context, false);
     ImGui::TextDisabled("This scene has no wall.");
     return;
   }
-  WallState& state = context.wall;
-  const auto& shown = state.transient.shown;
-  picture.shown.front() = context.shows.axis == Axis::kY ? shown.back() : shown.front();
+  WallState::Transient& state = context.wall.transient;
+  const std::size_t axis = shown_index(context);
+  picture.shown.front() = state.shown.at(axis);
+  sweep(picture, Axis::kX, state.swept.at(axis));
+  picture.verdict = edge_tone(context.tails.at(axis));
   draw_heading(context, true);
-  const draw::Strip strip = place_strip(context, history, picture, view_pixels_per_m);
-  take_pointer(context, strip);
-  ImDrawList* list = ImGui::GetWindowDrawList();
-  list->AddRectFilled(strip.from, strip.to, context.theme.packed(draw::Tone::kBackground));
-  list->PushClipRect(strip.from, strip.to, true);
-  ImGui::PushFont(nullptr, draw::kSmallFontSize);
-  const draw::StripContent content{&picture, state.transient.magnified.face_m, sample.position_m,
-                                   scene.x().device.encoder_m};
-  draw_strip(context.theme, strip, content, list);
-  draw_trail(context.theme, strip, history, state.transient.trail, list);
-  list->PopClipRect();
-  ImGui::SetCursorScreenPos(ImVec2(strip.from.x, strip.to.y + 3.0F));
+  const draw::PixelBox box = strip_box();
+  const double unmagnified_m =
+      static_cast<double>(box.to.x - box.from.x) / std::max(view_pixels_per_m, 1.0);
+  const ContactView view{picture, history, shown_sample(context), scene.x().device.encoder_m};
+  const double span_m =
+      contact_span_m(context.wall, recent_depth_m(view, state.magnified), unmagnified_m);
+  take_pointer(context, box);
+  draw_contact(context.theme, box, span_m, view, state.magnified, state.trail);
+  ImGui::SetCursorScreenPos(ImVec2(box.from.x, box.to.y + 3.0F));
+  const draw::FontScope font(nullptr, draw::kSmallFontSize);
   draw_legend(context);
-  ImGui::PopFont();
 }
 
 }  // namespace hapticwall::ui

@@ -18,7 +18,7 @@ namespace {
 
 constexpr float kArrangementEms = 8.5F;
 constexpr float kFollowEms = 4.4F;
-constexpr float kWindowEms = 5.5F;
+constexpr float kWindowEms = 7.5F;
 constexpr float kTriggerEms = 9.5F;
 constexpr float kTextButtonEms = 3.6F;
 constexpr float kExportEms = 3.6F;
@@ -111,22 +111,35 @@ std::string length_text(double length_s) {
   return fmt::format("{:g} s", length_s);
 }
 
+// "auto, 200 ms" while the length follows the rhythm of a contact.
+std::string length_choice_text(const TimeView& time) {
+  const std::string now = length_text(window_length_s(time));
+  return time.follows_rhythm && time.rhythm_s ? "auto, " + now : now;
+}
+
 void draw_length(const PanelContext& context) {
-  double& length_s = context.time.window_s;
+  TimeView& time = context.time;
   ImGui::SetNextItemWidth(ems(kWindowEms));
-  if (ImGui::BeginCombo("##time window", length_text(length_s).c_str(),
-                        ImGuiComboFlags_HeightLarge)) {
-    for (const double choice_s : kTimeWindowsS) {
-      const std::string text = length_text(choice_s);
-      if (list_choice(fmt::format("{0}###length {0}", text), choice_s == length_s)) {
-        length_s = choice_s;
-        context.time.follow = true;
-      }
-    }
-    ImGui::EndCombo();
-  } else {
+  if (!ImGui::BeginCombo("##time window", length_choice_text(time).c_str(),
+                         ImGuiComboFlags_HeightLarge)) {
     explain("The length of the time axes");
+    return;
   }
+  if (list_choice("auto###length auto", time.follows_rhythm,
+                  "About ten periods while a contact oscillates, and the length below otherwise")) {
+    time.follows_rhythm = !time.follows_rhythm;
+    time.follow = true;
+  }
+  for (const double choice_s : kTimeWindowsS) {
+    const std::string text = length_text(choice_s);
+    if (list_choice(fmt::format("{0}###length {0}", text), choice_s == time.window_s)) {
+      time.window_s = choice_s;
+      // A length that an oscillation would hide is asked for.
+      time.follows_rhythm = time.follows_rhythm && !time.rhythm_s;
+      time.follow = true;
+    }
+  }
+  ImGui::EndCombo();
 }
 
 std::vector<draw::ValueAxis*> value_axes(PlotsState::Transient& plots) {

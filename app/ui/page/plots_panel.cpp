@@ -28,15 +28,6 @@ void set_window(TimeView& time, draw::TimeWindow window) {
   time.to_s = window.to_s;
 }
 
-double window_length_s(const TimeView& time) {
-  return std::clamp(time.window_s, kTimeWindowsS.front(), kTimeWindowsS.back());
-}
-
-// Sets the time axes to the newest `window_s`. A younger session begins at the left.
-void follow_newest(TimeView& time, double newest_time_s) {
-  set_window(time, draw::newest_window(newest_time_s, window_length_s(time)));
-}
-
 // Moves the time axes to the newest samples, or to a contact.
 void move_window(PlotsState& state, TimeView& time, const draw::SampleHistory& history) {
   PlotsState::Transient& plots = state.transient;
@@ -76,6 +67,7 @@ draw::PlotSurface surface_of(const PanelContext& context, const draw::SampleHist
   if (context.shows.axis == Axis::kX) surface.extra_traces = plots.transient.extra_traces;
   surface.marks = {context.session.marks(), context.session.scene().sampling.rate_hz};
   surface.show_bounds = &plots.persisted.show_bounds;
+  surface.show_counts = &plots.persisted.show_counts;
   surface.simulated = context.session.knows_truth();
   surface.line_weight = draw::kLineWeight * ImGui::GetStyle().FontScaleMain;
   return surface;

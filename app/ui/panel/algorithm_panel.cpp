@@ -6,6 +6,7 @@
 #include "app/ui/panel/replay_panel.h"
 #include "app/ui/panel/sections.h"
 #include "app/ui/state/changes.h"
+#include "app/ui/state/compare_state.h"
 #include "app/ui/state/text_edit.h"
 #include "app/ui/state/window_state.h"
 #include "app/ui/widget/described_field.h"
@@ -42,26 +43,6 @@ void draw_follower(const PanelContext& context, const AlgorithmDescription& algo
   }
 }
 
-// Heights that no algorithm exceeds, so that the rows below stay where they are.
-float largest_idea() {
-  const FontScope font(nullptr, draw::kSmallFontSize);
-  const float width = ImGui::GetContentRegionAvail().x;
-  float height = 0.0F;
-  for (const AlgorithmDescription& algorithm : algorithms()) {
-    const std::string idea(algorithm.idea);
-    height = std::max(height, ImGui::CalcTextSize(idea.c_str(), nullptr, false, width).y);
-  }
-  return height + ImGui::GetStyle().ItemSpacing.y;
-}
-
-float most_rows() {
-  std::size_t rows = 0;
-  for (const AlgorithmDescription& algorithm : algorithms())
-    rows = std::max(rows, algorithm.parameters.size());
-  // Plus one row for "then".
-  return static_cast<float>(rows + 1) * ImGui::GetFrameHeightWithSpacing();
-}
-
 }  // namespace
 
 void choose_algorithm(const PanelContext& context, std::size_t index) {
@@ -91,13 +72,12 @@ void draw_algorithm_section(const PanelContext& context) {
     if (list_choice(label, i == in_force, tooltip)) choose_algorithm(context, i);
   }
   if (current >= list.size()) return;
-  const float end = ImGui::GetCursorPosY() + largest_idea() + most_rows();
   muted_text(context, list[current].idea);
   if (!context.window.more) return;
   for (const ParameterDescription& parameter : list[current].parameters)
     draw_parameter(context, parameter);
-  draw_follower(context, list[current]);
-  ImGui::SetCursorPosY(std::max(ImGui::GetCursorPosY(), end));
+  if (context.compare.persisted.open || has_follower(context.session.scene().algorithm))
+    draw_follower(context, list[current]);
 }
 
 }  // namespace hapticwall::ui

@@ -83,7 +83,13 @@ void draw_slot(const PanelContext& context, Slot slot) {
 
 void draw_compare_section(const PanelContext& context) {
   if (!context.compare.transient.comparison) return;
-  section(context, "Compare");
+  const CompareSlots slots = slots_of(context.compare);
+  const std::string summary = fmt::format("{} and {}", algorithm_name(slots.of(Slot::kA)),
+                                          algorithm_name(slots.of(Slot::kB)));
+  bool& open = context.compare.persisted.open;
+  ImGui::SetNextItemOpen(open);
+  open = folding_section(context, "Compare", summary);
+  if (!open) return;
   draw_ghost_switch(context);
   draw_slot(context, Slot::kA);
   draw_slot(context, Slot::kB);

@@ -5,6 +5,8 @@
 #include <cctype>
 #include <cmath>
 
+#include "app/ui/panel/identify_state.h"
+#include "app/ui/panel/verdict_view.h"
 #include "app/ui/state/compare_state.h"
 #include "app/ui/state/timing_state.h"
 #include "app/ui/widget/widgets.h"
@@ -44,9 +46,8 @@ std::string remark_of(const EnergyStory& story) {
 LampWords active_words(const EnergyStory& story) {
   const std::string took = energy_text(story.extracted_j);
   const std::string blame = blame_text(story.blame);
-  return {draw::Tone::kBad,
-          fmt::format("active: the hand has extracted {}, {} to blame", took, blame),
-          remark_of(story), fmt::format("active: {}, {}", took, blame), "active"};
+  return {fmt::format("the hand has extracted {}, {} to blame", took, blame), remark_of(story),
+          fmt::format("extracted {}, {}", took, blame), "extracted " + took};
 }
 
 LampWords spending_words(const EnergyStory& story) {
@@ -59,8 +60,7 @@ LampWords spending_words(const EnergyStory& story) {
       story.given_out_j > story.budget_j
           ? fmt::format("within one encoder count, {}", energy_text(story.tolerance_j))
           : std::string();
-  return {draw::Tone::kWarning, "spending the budget: " + share, decides, "spending " + share,
-          "spending"};
+  return {"spending the budget: " + share, decides, "spending " + share, "spending"};
 }
 
 // Width with all digits 0, so that the layout does not depend on the digits.
@@ -96,8 +96,9 @@ void draw_words(const PanelContext& context, const LampWords& words, float room)
 
 void draw_story(const PanelContext& context, const EnergyLamp& lamp) {
   const LampWords words = lamp_words(lamp.story());
+  const draw::Tone tone = lamp_tone(lamp.story(), context.tails.front());
   ImGui::BeginGroup();
-  draw_light(context, words.tone, words.tone != draw::Tone::kGood);
+  draw_light(context, tone, tone != draw::Tone::kMuted);
   draw_words(context, words, ImGui::GetContentRegionAvail().x);
   ImGui::EndGroup();
   if (!ImGui::IsItemHovered()) return;
@@ -105,6 +106,15 @@ void draw_story(const PanelContext& context, const EnergyLamp& lamp) {
   const double since_s = static_cast<double>(lamp.since_tick()) / scene.sampling.rate_hz;
   explain((scene.two_axes() ? "Only axis x: axis y has its own loop.\n" : "") +
           lamp_tooltip(lamp.story(), since_s));
+}
+
+// The lamp without words: nothing to tell.
+void draw_dark_light(const PanelContext& context, const char* words) {
+  ImGui::BeginGroup();
+  draw_light(context, draw::Tone::kFaint, false);
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextDisabled("%s", words);
+  ImGui::EndGroup();
 }
 
 }  // namespace
@@ -118,7 +128,21 @@ LampWords lamp_words(const EnergyStory& story) {
     case EnergyState::kPassive:
       break;
   }
-  return {draw::Tone::kGood, "passive", {}, "passive", "passive"};
+  return {"passive", {}, "passive", "passive"};
+}
+
+draw::Tone lamp_tone(const EnergyStory& story, const Tail& tail) {
+  const bool wrong = tail.summary.verdict != Verdict::kNoContact && !is_good(tail.summary.verdict);
+  return story.state == EnergyState::kActive && wrong ? tail_tone(tail) : draw::Tone::kMuted;
+}
+
+std::string plain_sentence(const EnergyStory& story) {
+  const char* source = "The hold has";
+  if (story.blame == EnergyBlame::kControlLaw) source = "The control law has";
+  if (story.blame == EnergyBlame::kBoth) source = "The hold and the control law have";
+  const double took_j = story.extracted_j;
+  const std::string took = took_j >= 0.1 ? fmt::format("{:.2f} J", took_j) : energy_text(took_j);
+  return fmt::format("{} fed the hand {}.", source, took);
 }
 
 std::string lamp_tooltip(const EnergyStory& story, double since_s) {
@@ -146,16 +170,14 @@ std::string lamp_tooltip(const EnergyStory& story, double since_s) {
 void draw_energy_lamp(const PanelContext& context) {
   const auto& lamp = context.compare.transient.lamp;
   const std::string silence = silence_text(context.timing.answer);
+  const Verdict verdict = context.tails.front().summary.verdict;
   if (!silence.empty()) {
     draw_light(context, draw::Tone::kBad, true);
-    draw_words(context, {draw::Tone::kBad, silence, {}, silence, silence},
-               ImGui::GetContentRegionAvail().x);
+    draw_words(context, {silence, {}, silence, silence}, ImGui::GetContentRegionAvail().x);
   } else if (context.shows.hides_force) {
-    ImGui::BeginGroup();
-    draw_light(context, draw::Tone::kFaint, false);
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextDisabled("energy: hidden");
-    ImGui::EndGroup();
+    draw_dark_light(context, "energy: hidden");
+  } else if (context.identify.experiment || verdict == Verdict::kNoContact) {
+    draw_dark_light(context, "");
   } else if (lamp) {
     draw_story(context, *lamp);
   }

@@ -21,10 +21,10 @@ constexpr const char* kRefusalKey = "layout name";
 constexpr float kNameEms = 11.0F;
 
 constexpr std::array kBuiltins{
-    BuiltinLayout{"bench", "Everything: parameters, wall, contact, and the pages behind tabs",
-                  "X21.5em(Controls;Y40%(X62%(Wall;Contact);Plots*,Timing,Blind test,Map,All at "
-                  "once,Study,Identify))",
-                  PlotArrangement::kAll},
+    BuiltinLayout{
+        "bench", "Parameters, wall, contact, and the pages behind tabs",
+        "X21.5em(Controls;Y40%(X62%(Wall;Contact);Plots*,Blind test,Map,All at once,Study))",
+        PlotArrangement::kAll},
     BuiltinLayout{
         kLectureLayout,
         "For a room: wall and two plots, and everything larger, by half where there is room",

@@ -175,6 +175,8 @@ void show_more(WindowState& window, PlotsState& plots) {
   plots.persisted.arrangement = PlotArrangement::kAll;
 }
 
+void show_less(WindowState& window) { window.more = false; }
+
 void toggle_help(const PanelContext& context) {
   bool& shown = context.window.help_shown;
   shown = !shown;

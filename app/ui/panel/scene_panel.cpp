@@ -54,6 +54,13 @@ void draw_figure_buttons(const PanelContext& context) {
   }
 }
 
+// The figures of the paper have a layout each.
+bool shows_paper(const PanelContext& context) {
+  const PlotArrangement arrangement = context.plots.persisted.arrangement;
+  return context.window.more &&
+         (arrangement == PlotArrangement::kFigure4 || arrangement == PlotArrangement::kFigure5And6);
+}
+
 // Stands beside the heading, so that nothing moves when it appears.
 void draw_way_back(const PanelContext& context) {
   if (context.shows.live == nullptr) return;
@@ -138,7 +145,7 @@ void draw_scene_section(const PanelContext& context) {
   }
   explain("A scene starts a new session from rest.");
   if (!scene.description.empty()) muted_text(context, scene.description);
-  if (context.window.more) draw_figure_buttons(context);
+  if (shows_paper(context)) draw_figure_buttons(context);
 }
 
 }  // namespace hapticwall::ui

@@ -12,6 +12,8 @@ void draw_panel_head(const PanelContext& context);
 void toggle_help(const PanelContext& context);
 // Every section, page and control, and all plots.
 void show_more(WindowState& window, PlotsState& plots);
+// The window as it opens.
+void show_less(WindowState& window);
 
 void draw_scene_section(const PanelContext& context);
 // Requests a built-in scene, with its own algorithm or the named one.
@@ -26,8 +28,8 @@ void draw_device_section(const PanelContext& context);
 // is shown it re-runs the recorded hand under that algorithm.
 void choose_algorithm(const PanelContext& context, std::size_t index);
 
-// The rows at the bottom: the most-used keys, and the state of the loop.
-void draw_hint_row(const PanelContext& context);
-void draw_status_row(const PanelContext& context);
+// The row at the bottom: a hint while it is of use, and a dot that opens the state of the loop. The
+// dot has a sentence beside it when something is wrong.
+void draw_foot(const PanelContext& context);
 
 }  // namespace hapticwall::ui

@@ -12,6 +12,7 @@ inline constexpr float kVolumeEms = 5.0F;
 struct SoundChoice {
   double volume = 0.5;  // 0 to 1; stored in the settings file
   bool on = false;
+  bool available = true;  // false: this machine has no card, and the switch is not shown
   sound::SoundStatus status;
 };
 

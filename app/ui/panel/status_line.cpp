@@ -5,8 +5,10 @@
 #include <utility>
 #include <vector>
 
+#include "app/ui/panel/hand_state.h"
 #include "app/ui/panel/sections.h"
 #include "app/ui/state/timing_state.h"
+#include "app/ui/state/window_state.h"
 #include "app/ui/widget/overflow_row.h"
 #include "app/ui/widget/widgets.h"
 #include "core/algorithm/algorithm.h"
@@ -97,10 +99,10 @@ StatusText realtime_text(const PanelContext& context) {
 }
 
 // Fills the rest of the row; the tooltip has the whole text.
-void draw_realtime_state(const PanelContext& context, const StatusText& shown) {
+void draw_realtime_state(const PanelContext& context, const StatusText& shown, float kept_px) {
   dot(context, shown.tone);
   const ImVec2 corner = ImGui::GetCursorScreenPos();
-  const float width = ImGui::GetContentRegionAvail().x;
+  const float width = ImGui::GetContentRegionAvail().x - kept_px;
   ImGui::PushClipRect(corner, ImVec2(corner.x + width, corner.y + 2.0F * ImGui::GetFontSize()),
                       true);
   ImGui::TextColored(context.theme.colour(shown.tone), "%s", shown.text.c_str());
@@ -151,31 +153,46 @@ std::string frame_text(const PanelContext& context) {
                      kMillisecondsPerSecond / static_cast<double>(ImGui::GetIO().Framerate));
 }
 
-}  // namespace
-
-void draw_hint_row(const PanelContext& context) {
-  if (context.shows.replay != nullptr) {
-    ImGui::TextDisabled(
-        "F1 all keys   P play   ← → step   R to the start   [ ] slower, faster   L repeat   "
-        "1–%zu re-run under an algorithm",
-        algorithms().size());
-    return;
-  }
+// The one hint that is of use now; empty: none. F1 shows all keys.
+std::string hint_text(const PanelContext& context) {
   if (context.shows.hides_algorithm) {
-    ImGui::TextDisabled(
-        "F1 all keys   1 or ← first wall   2 or → second wall   with Ctrl: choose it   P pause   "
-        "R reset   Space force off");
-    return;
+    return "1 or ← first wall   2 or → second wall   with Ctrl: choose it   P pause   R reset   "
+           "Space force off   F1 all keys";
   }
-  ImGui::TextDisabled(
-      "F1 all keys   1–%zu algorithm   P pause   S or → step   R reset   "
-      "Ctrl+Z undo      %s",
-      algorithms().size(),
-      context.session.device_info().is_simulated ? "Drag in the view to lead the hand"
-                                                 : "A arm   Space force off");
+  if (context.shows.live == nullptr) return {};
+  if (!context.session.device_info().is_simulated) return "A arm   Space force off   F1 all keys";
+  return context.hand.led ? std::string() : "Drag in the picture to lead the hand   F1 all keys";
 }
 
-void draw_status_row(const PanelContext& context) {
+// What is wrong, in a sentence; without text nothing is.
+StatusText trouble_of(const PanelContext& context) {
+  constexpr double kManyMissed = 0.01;  // share of the ticks
+  const StatusText realtime = realtime_text(context);
+  if (realtime.tone == draw::Tone::kBad) return realtime;
+  if (context.snapshot.link.trouble != device::Trouble::kNone) {
+    return {draw::Tone::kBad, std::string(device::trouble_text(context.snapshot.link.trouble)), {}};
+  }
+  if (context.shows.live == nullptr) return {draw::Tone::kMuted, {}, {}};
+  const session::TimingStatistics& timing = context.snapshot.timing;
+  if (static_cast<double>(timing.missed_ticks) > kManyMissed * static_cast<double>(timing.ticks)) {
+    return {draw::Tone::kWarning,
+            fmt::format("the loop has missed {} of {} ticks", timing.missed_ticks, timing.ticks),
+            {}};
+  }
+  if (const std::uint64_t dropped = context.shows.live->dropped_plot_samples(); dropped > 0) {
+    return {draw::Tone::kWarning,
+            fmt::format("the window was too slow for {} samples of the plots", dropped),
+            {}};
+  }
+  return {draw::Tone::kMuted, {}, {}};
+}
+
+std::string quiet_text(const PanelContext& context) {
+  return fmt::format("{}, {:g} Hz", device_text(context), context.session.scene().sampling.rate_hz);
+}
+
+// `kept`: width at the right edge for another item.
+void draw_status_row(const PanelContext& context, float kept_px) {
   const float device =
       ImGui::CalcTextSize(device_text(context).c_str()).x + ems(kStatusGapEms + 0.4F);
   std::vector<RowControl> controls{
@@ -192,13 +209,36 @@ void draw_status_row(const PanelContext& context) {
                                  "Time between two frames of this window", "999.9 ms"}));
   const StatusText realtime = realtime_text(context);
   const float whole = ImGui::CalcTextSize(realtime.text.c_str()).x + ems(2.0F * kStatusGapEms);
-  const float kept = realtime.tone == draw::Tone::kBad ? whole : ems(kMinRealtimeEms);
+  const float kept = kept_px + (realtime.tone == draw::Tone::kBad ? whole : ems(kMinRealtimeEms));
   ImGui::BeginGroup();
   draw_overflow_row(context, "status", controls,
                     {.room = ImGui::GetContentRegionAvail().x - kept, .small = true});
   ImGui::EndGroup();
   ImGui::SameLine(0.0F, ems(kStatusGapEms));
-  draw_realtime_state(context, realtime);
+  draw_realtime_state(context, realtime, kept_px);
+}
+
+}  // namespace
+
+void draw_foot(const PanelContext& context) {
+  bool& open = context.window.status_shown;
+  const StatusText trouble = trouble_of(context);
+  const std::string text = trouble.text.empty() ? quiet_text(context) : trouble.text;
+  const float dot_width = ImGui::GetFontSize();
+  const float width = dot_width + (open ? 0.0F : ImGui::CalcTextSize(text.c_str()).x);
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const float right = corner.x + ImGui::GetContentRegionAvail().x;
+  if (open) {
+    draw_status_row(context, width + ems(kStatusGapEms));
+  } else {
+    ImGui::TextDisabled("%s", hint_text(context).c_str());
+  }
+  ImGui::SetCursorScreenPos(ImVec2(right - width, corner.y));
+  if (ImGui::InvisibleButton("###status", ImVec2(width, ImGui::GetTextLineHeight()))) open = !open;
+  explain(open ? "Closes the state of the loop" : "Opens the state of the loop");
+  ImGui::SetCursorScreenPos(ImVec2(right - width, corner.y));
+  dot(context, trouble.tone);
+  if (!open) ImGui::TextColored(context.theme.colour(trouble.tone), "%s", text.c_str());
 }
 
 }  // namespace hapticwall::ui

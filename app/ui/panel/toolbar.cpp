@@ -14,6 +14,7 @@
 #include "app/file/text/text.h"
 #include "app/ui/panel/hand_state.h"
 #include "app/ui/panel/replay_bar.h"
+#include "app/ui/panel/sections.h"
 #include "app/ui/panel/sound_switch.h"
 #include "app/ui/state/comparing.h"
 #include "app/ui/state/export.h"
@@ -21,6 +22,7 @@
 #include "app/ui/state/scene_state.h"
 #include "app/ui/state/text_edit.h"
 #include "app/ui/state/time_view.h"
+#include "app/ui/state/window_state.h"
 #include "app/ui/widget/overflow_row.h"
 #include "app/ui/widget/widgets.h"
 
@@ -32,6 +34,7 @@ constexpr std::array<std::uint32_t, 10> kSlowMotions{1, 2, 5, 10, 20, 50, 100, 2
 using session::RecordingState;
 using session::RecordingStatus;
 
+constexpr const char* kLess = "Less###less";
 constexpr float kToolButtonEms = 4.6F;
 constexpr float kTimeEms = 6.8F;
 constexpr float kRecordButtonEms = 5.2F;
@@ -189,8 +192,9 @@ void draw_session_bar(const PanelContext& context, session::LiveSession& live) {
        6,
        [&] { draw_name_or_mark(context, recording); },
        {},
-       context.recording.focus_mark},
-      {ems(kSoundEms), 4, [&] { draw_sound_switch(context); }}};
+       context.recording.focus_mark}};
+  if (context.sound.available)
+    controls.push_back({ems(kSoundEms), 4, [&] { draw_sound_switch(context); }});
   if (!context.sound.status.card.empty())
     controls.push_back({ems(kVolumeEms), 8, [&] { draw_volume(context); }});
   if (live.device_info().is_simulated)
@@ -198,7 +202,13 @@ void draw_session_bar(const PanelContext& context, session::LiveSession& live) {
   controls.push_back({ems(kToolButtonEms), 10, [&] { draw_repeat(context); }});
   if (status.state != RecordingState::kIdle || !status.path.empty())
     controls.push_back({ems(kStatusEms), 7, [&] { draw_recording_status(context, status); }});
-  draw_overflow_row(context, "session", controls);
+  const float less = context.window.more ? button_width(kLess) : 0.0F;
+  const float room = ImGui::GetContentRegionAvail().x - less - ImGui::GetStyle().ItemSpacing.x;
+  draw_overflow_row(context, "session", controls, {.room = room});
+  if (!context.window.more || context.shows.hides_algorithm) return;
+  ImGui::SameLine();
+  draw::align_right(less);
+  if (button(kLess, "Back to the window as it opens; the layout stays")) show_less(context.window);
 }
 
 // Question below the reset button; R again confirms, Esc cancels.

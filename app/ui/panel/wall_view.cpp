@@ -5,8 +5,9 @@
 #include <cmath>
 #include <limits>
 
-#include "app/ui/panel/energy_lamp_view.h"
 #include "app/ui/panel/hand_drag.h"
+#include "app/ui/panel/identify_state.h"
+#include "app/ui/panel/verdict_view.h"
 #include "app/ui/state/blind_test.h"
 #include "app/ui/state/compare_state.h"
 #include "app/ui/wall/wall_labels.h"
@@ -87,7 +88,9 @@ draw::PixelBox readout_area(const PanelContext& context, const ViewArea& area) {
 
 void draw_readout(const PanelContext& context, const ViewArea& area) {
   const Sample& sample = shown_sample(context);
-  const bool contact = (sample.flags & kFlagInContact) != 0U;
+  // Without a simulator the truth is where the encoder measures the handle.
+  const double position_m = sample.truth.position_m;
+  const double depth_m = std::max(0.0, sample.penetration_m + position_m - sample.position_m);
   const auto row = [&](const char* name, double value, int digits, const char* unit, bool known) {
     ImGui::TextDisabled("%-11s", name);
     ImGui::SameLine(0.0F, 0.0F);
@@ -108,8 +111,8 @@ void draw_readout(const PanelContext& context, const ViewArea& area) {
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing,
                       ImVec2(style.ItemSpacing.x, kReadoutGap * style.ItemSpacing.y));
   ImGui::BeginGroup();
-  row("position", sample.position_m * kMillimetresPerMetre, 3, "mm", true);
-  row("penetration", sample.penetration_m * kMillimetresPerMetre, 3, "mm", contact);
+  row("position", position_m * kMillimetresPerMetre, 3, "mm", true);
+  row("penetration", depth_m * kMillimetresPerMetre, 3, "mm", true);
   row("force", sample.force_n, 3, "N", true);
   const std::optional<double> stiffness = shown_stiffness(context, shown_index(context));
   row("stiffness", stiffness.value_or(0.0) / 1e3, 2, "kN/m", stiffness.has_value());
@@ -160,26 +163,6 @@ void draw_picture(const PanelContext& context, WallRenderer& renderer, const Wal
       ImVec2(1.0F, 0.0F));
 }
 
-void take_pointer(const PanelContext& context, const WallCamera& camera, const ViewArea& area) {
-  WallState& state = context.wall;
-  ImGui::SetNextItemAllowOverlap();
-  ImGui::InvisibleButton("##wall view", area.size,
-                         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
-                             ImGuiButtonFlags_MouseButtonMiddle);
-  if (ImGui::IsItemActivated()) state.transient.drag = drag_of_button();
-  if (!ImGui::IsItemActive()) state.transient.drag = ViewDrag::kNone;
-  lead_hand(context, camera, state.transient.drag == ViewDrag::kLeadHand);
-  move_camera(state, area, camera.space().y.has_value());
-  const bool turning = ImGui::IsItemActive() && state.transient.drag != ViewDrag::kLeadHand;
-  if (turning) {
-    ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
-  } else if (ImGui::IsItemHovered() && context.session.scene().x().hand &&
-             context.shows.live != nullptr) {
-    ImGui::SetMouseCursor(camera.space().y ? ImGuiMouseCursor_ResizeAll
-                                           : ImGuiMouseCursor_ResizeEW);
-  }
-}
-
 void draw_labels(const PanelContext& context, const WallPicture& picture, const WallCamera& camera,
                  const ViewArea& area) {
   const bool hidden = context.shows.hides_force;
@@ -221,9 +204,39 @@ WallPicture shown_picture(const PanelContext& context) {
     const double most_n = std::max(swept.force_n.maximum, -swept.force_n.minimum);
     picture.saturated = picture.saturated || most_n >= force_limit_n(context, axis);
   }
-  if (const auto& lamp = context.compare.transient.lamp)
-    picture.energy = lamp_words(lamp->story()).tone;
+  if (!context.identify.experiment) picture.verdict = edge_tone(context.tails.front());
   return picture;
+}
+
+void take_wall_pointer(const PanelContext& context, const WallCamera& camera,
+                       const ViewArea& area) {
+  WallState& state = context.wall;
+  ImGui::SetNextItemAllowOverlap();
+  ImGui::InvisibleButton("##wall view", area.size,
+                         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
+                             ImGuiButtonFlags_MouseButtonMiddle);
+  if (ImGui::IsItemActivated()) state.transient.drag = drag_of_button();
+  if (!ImGui::IsItemActive()) state.transient.drag = ViewDrag::kNone;
+  lead_hand(context, camera, state.transient.drag == ViewDrag::kLeadHand);
+  move_camera(state, area, camera.space().y.has_value());
+  const bool turning = ImGui::IsItemActive() && state.transient.drag != ViewDrag::kLeadHand;
+  if (turning) {
+    ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
+  } else if (ImGui::IsItemHovered() && context.session.scene().x().hand &&
+             context.shows.live != nullptr) {
+    ImGui::SetMouseCursor(camera.space().y ? ImGuiMouseCursor_ResizeAll
+                                           : ImGuiMouseCursor_ResizeEW);
+  }
+}
+
+WallCamera draw_wall_pane(const PanelContext& context, WallRenderer& renderer, const Scene& scene,
+                          const WallPicture& picture, const ViewArea& area) {
+  WallCamera camera(wall_space(scene), context.wall.persisted.orbit, area.size.x, area.size.y);
+  ImGui::SetCursorScreenPos(area.corner);
+  draw_picture(context, renderer, picture, camera, area);
+  const draw::FontScope font(nullptr, draw::kSmallFontSize);
+  draw_few_wall_labels(context.theme, picture, camera, area);
+  return camera;
 }
 
 void draw_wall_view(const PanelContext& context, WallRenderer& renderer) {
@@ -234,7 +247,7 @@ void draw_wall_view(const PanelContext& context, WallRenderer& renderer) {
                           area.size.x, area.size.y);
   const WallPicture picture = shown_picture(context);
   draw_picture(context, renderer, picture, camera, area);
-  take_pointer(context, camera, area);
+  take_wall_pointer(context, camera, area);
   draw_labels(context, picture, camera, area);
   if (!context.shows.hides_force) draw_readout(context, area);
   draw_reset_button(context, area);

@@ -60,6 +60,7 @@ inline constexpr double kMaxConfidence = 0.999;
 struct CompareState {
   // Stored in the settings file.
   struct Persisted {
+    bool open = false;  // the section Compare, and the field 'then' of the algorithm
     bool ghost_shown = true;
     // Settings of the next trial list that the page writes.
     std::string question = file::kUsualQuestion;

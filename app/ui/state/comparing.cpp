@@ -17,7 +17,7 @@ namespace {
 using compare::Slot;
 
 constexpr std::string_view kUsualOther = "energy-bounding";
-constexpr std::string_view kOtherThanThat = "virtual-coupling";
+constexpr std::string_view kOtherThanThat = "none";
 
 double encoder_of(const Scene& scene) { return scene.x().device.encoder_m.value_or(0.0); }
 

@@ -18,8 +18,8 @@ namespace hapticwall::ui {
 
 struct WantedScene;
 
-// A is active and holds the algorithm of the scene. B holds `other`, or energy bounding, or virtual
-// coupling when A has energy bounding. Both have the values of the scene.
+// A is active and holds the algorithm of the scene. B holds `other`, or energy bounding, or none
+// when A has energy bounding. Both have the values of the scene.
 [[nodiscard]] CompareSlots slots_for(const Scene& scene,
                                      std::optional<std::size_t> other = std::nullopt);
 [[nodiscard]] CompareSlots slots_of(const CompareState& compare);

@@ -27,6 +27,7 @@ struct PlotsState {
     draw::PhaseSettings phase;
     draw::SpectrumSettings spectrum;
     bool show_bounds = true;
+    bool show_counts = false;  // the encoder's counts beside the true position of a simulator
   } persisted;
 
   // Lives as long as the window.

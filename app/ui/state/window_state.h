@@ -15,6 +15,7 @@ struct WindowState {
   // Lives as long as the window.
   std::string settings_path;  // empty: settings are not stored
   bool help_shown = false;
+  bool status_shown = false;  // the state of the loop, at the bottom
 };
 
 }  // namespace hapticwall::ui

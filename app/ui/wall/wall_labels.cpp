@@ -198,7 +198,30 @@ void draw_force(LabelPen& pen, const WallPicture& picture, const WallCamera& cam
   pen.write({place, tone, force_text(picture, force)}, {{}, ImVec2(0.0F, kBelowArrow * line)});
 }
 
+// Above the mark at the longest arrow.
+void draw_limit(LabelPen& pen, const WallPicture& picture, const WallCamera& camera) {
+  const std::optional<glm::vec3> mark = limit_mark(picture, camera);
+  if (!mark) return;
+  const ImVec2 place = pen.screen(*mark + glm::vec3(0.0F, WallMeasures::kLimitMark, 0.0F));
+  pen.write({ImVec2(place.x, place.y - 0.7F * ImGui::GetFontSize()), draw::Tone::kMuted, "F max"});
+}
+
+void draw_hand_name(LabelPen& pen, const WallPicture& picture, const WallCamera& camera) {
+  if (!picture.hand_m) return;
+  const glm::vec3 hand = ball_centre(picture.two_axes, camera, *picture.hand_m);
+  const ImVec2 below = pen.screen(hand - glm::vec3(0.0F, WallMeasures::kHandleRadius, 0.0F));
+  pen.write({ImVec2(below.x, below.y + ImGui::GetFontSize()), draw::Tone::kHand, "hand"});
+}
+
 }  // namespace
+
+void draw_few_wall_labels(const draw::Theme& theme, const WallPicture& picture,
+                          const WallCamera& camera, const ViewArea& area) {
+  LabelPen pen(theme, camera, area, {});
+  draw_limit(pen, picture, camera);
+  draw_wall_names(pen, picture, camera);
+  draw_hand_name(pen, picture, camera);
+}
 
 void draw_wall_labels(const draw::Theme& theme, const WallPicture& picture,
                       const WallCamera& camera, const ViewArea& area,

@@ -20,5 +20,8 @@ namespace hapticwall::ui {
 void draw_wall_labels(const draw::Theme& theme, const WallPicture& picture,
                       const WallCamera& camera, const ViewArea& area,
                       std::span<const draw::PixelBox> taken, const std::string& rhythm);
+// The labels of a small picture: the wall, the hand, and F_max at its mark.
+void draw_few_wall_labels(const draw::Theme& theme, const WallPicture& picture,
+                          const WallCamera& camera, const ViewArea& area);
 
 }  // namespace hapticwall::ui

@@ -44,6 +44,7 @@ struct WallMeasures {
   static constexpr float kSleeveRadius = 0.46F;
   static constexpr float kArrowHeight = 0.95F;  // height of the arrow above a single axis
   static constexpr float kMaxArrow = 3.4F;
+  static constexpr float kLimitMark = 0.34F;  // half height of the mark at the force limit
   static constexpr float kFloor = -1.25F;
   static constexpr float kWallTop = 1.65F;
   static constexpr float kWallHalfDepth = 1.5F;  // half depth of a wall on a single axis

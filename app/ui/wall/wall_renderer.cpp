@@ -127,10 +127,12 @@ void Renderer::draw_solids(const WallView& view) const {
 bool Renderer::draw_draft(const WallView& view) {
   const int width = std::max(1, static_cast<int>(draft_share_ * static_cast<float>(last_.width)));
   const int height = std::max(1, static_cast<int>(draft_share_ * static_cast<float>(last_.height)));
-  if (!ensure(draft_, width, height, 1)) return false;
+  // Fewer pixels would be blocks without smooth edges.
+  const int samples = draft_share_ < 1.0F ? kSamplesPerPixel : 1;
+  if (!ensure(draft_, width, height, samples)) return false;
   if (!last_ground_ || !last_ground_->same_ground(last_)) {
     last_ground_.reset();
-    if (!ensure(ground_, width, height, 1)) return false;
+    if (!ensure(ground_, width, height, samples)) return false;
     ground_->bind();
     floor_.draw(view, height);
     last_ground_ = last_;

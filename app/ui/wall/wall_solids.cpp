@@ -60,6 +60,12 @@ glm::vec3 rod_direction(bool two_axes) {
   return two_axes ? glm::normalize(glm::vec3(-0.30F, 1.0F, 0.36F)) : glm::vec3(-1.0F, 0.0F, 0.0F);
 }
 
+std::optional<glm::vec3> limit_mark(const WallPicture& picture, const WallCamera& camera) {
+  if (picture.two_axes || !picture.has_limit) return std::nullopt;
+  const glm::vec3 start = camera.point_of(swept_place(picture).to_m, WallMeasures::kArrowHeight);
+  return start - glm::vec3(WallMeasures::kMaxArrow, 0.0F, 0.0F);
+}
+
 WallSlab wall_slab(const WallPicture& picture, const WallCamera& camera, const PictureWall& wall) {
   const bool on_x = wall.axis == Axis::kX;
   const auto into = [&](double position_m) {
@@ -228,6 +234,25 @@ void WallSolids::draw_arrow(const WallView& view, glm::dvec2 force_n, float alph
   rod(cone_, neck, neck + head * direction, kArrowHeadRadius * head / kArrowHeadLength, colour);
 }
 
+// The rest of the arrow's way as one surface: only its nearest layer is drawn.
+void WallSolids::draw_swept_arrow(const WallView& view) const {
+  const SweptForce force = swept_force(view.picture);
+  if (force.most_n == force.least_n) return;
+  glDepthMask(GL_TRUE);
+  draw_arrow(view, force.most_n, kSweptAlpha);
+  glDepthMask(GL_FALSE);
+}
+
+// An upright bar where the arrow ends at the force limit.
+void WallSolids::draw_limit(const WallView& view) const {
+  const std::optional<glm::vec3> mark = limit_mark(view.picture, view.camera);
+  if (!mark) return;
+  const glm::vec3 up(0.0F, WallMeasures::kLimitMark, 0.0F);
+  surface(0.0F, 1.0F, 0.0F);
+  rod(cylinder_, *mark - up, *mark + up, 0.5F * kEdgeWidth,
+      rgba(view.theme.colour(draw::Tone::kMuted)));
+}
+
 void WallSolids::draw_edges(const WallPicture& picture, const WallSlab& slab,
                             const glm::vec4& colour) const {
   const float top = WallMeasures::wall_top(picture);
@@ -291,12 +316,13 @@ void WallSolids::draw(const WallView& view) const {
   const SweptForce force = swept_force(picture);
   draw_handle(view);
   draw_arrow(view, force.least_n, 1.0F);
+  draw_limit(view);
   surface(0.2F, 0.3F, 0.0F);
   for (const WallSlab& slab : slabs) {
-    const bool tells = picture.energy && slab.wall->axis == Axis::kX;
+    const bool tells = picture.verdict && slab.wall->axis == Axis::kX;
     draw_edges(
         picture, slab,
-        tells ? rgba(theme.colour(*picture.energy)) : own_colour(picture, theme, *slab.wall));
+        tells ? rgba(theme.colour(*picture.verdict)) : own_colour(picture, theme, *slab.wall));
   }
   glEnable(GL_BLEND);
   glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
@@ -305,7 +331,7 @@ void WallSolids::draw(const WallView& view) const {
   // True place and intended hand are drawn over the walls; only the handle hides them.
   solid_.use();
   draw_swept_handle(view);
-  if (force.most_n != force.least_n) draw_arrow(view, force.most_n, kSweptAlpha);
+  draw_swept_arrow(view);
   draw_true_place(view);
   draw_hand(view);
   glDepthMask(GL_TRUE);

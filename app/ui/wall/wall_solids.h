@@ -2,6 +2,7 @@
 // moves is swept from its smallest to its largest value since the last frame.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "app/draw/figure/gl_objects.h"
@@ -16,6 +17,11 @@ namespace hapticwall::ui {
 [[nodiscard]] glm::vec3 ball_centre(bool two_axes, const WallCamera& camera, glm::dvec2 place_m);
 // Direction from the ball along the handle's rod, of length 1.
 [[nodiscard]] glm::vec3 rod_direction(bool two_axes);
+
+// Where the tip of the arrow is at the force limit; nullopt without a limit, and on two axes, whose
+// arrows turn.
+[[nodiscard]] std::optional<glm::vec3> limit_mark(const WallPicture& picture,
+                                                  const WallCamera& camera);
 
 // A wall in its own directions: into it, and along its face (z for the x axis, x for the y axis).
 struct WallSlab {
@@ -54,6 +60,8 @@ class WallSolids {
   void draw_hand(const WallView& view) const;
   void draw_true_place(const WallView& view) const;
   void draw_arrow(const WallView& view, glm::dvec2 force_n, float alpha) const;
+  void draw_swept_arrow(const WallView& view) const;
+  void draw_limit(const WallView& view) const;
   void draw_edges(const WallPicture& picture, const WallSlab& slab, const glm::vec4& colour) const;
   void draw_walls(const WallView& view, const std::vector<WallSlab>& slabs) const;
   void draw_slab(const WallPicture& picture, const WallSlab& slab) const;

@@ -44,8 +44,10 @@ Result<std::unique_ptr<Application>> Application::create(const Scene& scene, con
                                                          Sessions sessions) {
   Result<std::unique_ptr<WallRenderer>> renderer = WallRenderer::create();
   if (!renderer) return renderer.error();
-  std::unique_ptr<Application> application(
-      new Application(std::move(sessions), std::move(*renderer), theme, options));
+  Result<std::unique_ptr<WallRenderer>> other_renderer = WallRenderer::create();
+  if (!other_renderer) return other_renderer.error();
+  std::unique_ptr<Application> application(new Application(
+      std::move(sessions), std::move(*renderer), std::move(*other_renderer), theme, options));
   if (Failure failure = application->start_first(scene)) return *std::move(failure);
   if (options.experiment) {
     if (Failure failure = start_experiment(application->state_.compare, application->state_.dock,
@@ -57,9 +59,11 @@ Result<std::unique_ptr<Application>> Application::create(const Scene& scene, con
 }
 
 Application::Application(Sessions sessions, std::unique_ptr<WallRenderer> renderer,
-                         const draw::Theme& theme, const Options& options)
+                         std::unique_ptr<WallRenderer> other_renderer, const draw::Theme& theme,
+                         const Options& options)
     : sessions_(std::move(sessions)),
       renderer_(std::move(renderer)),
+      other_renderer_(std::move(other_renderer)),
       theme_(theme),
       settings_(options.settings_path),
       now_s_(options.now_s),
@@ -71,6 +75,7 @@ Application::Application(Sessions sessions, std::unique_ptr<WallRenderer> render
   state_.window.settings_path = options.settings_path;
   state_.appearance.forced_scale = options.forced_scale;
   settings_.load(state_);
+  state_.sound.available = sessions_.open_card || sound::may_have_card();
   RecordingWishes& recording = state_.recording;
   recording.records_signals = options.records_signals || recording.chosen_signals;
   recording.folder =
@@ -122,9 +127,19 @@ void Application::take_ticks() {
     }
     history_.push(ticks);
     note_ticks(state_.compare, session().scene(), ticks);
+    follow_with_other_wall(ticks);
     samples_came_ = samples_came_ || !ticks.empty();
     if (ticks.size() < incoming_.size()) break;
   }
+}
+
+// The other wall has the algorithm of the slot that is not in force.
+void Application::follow_with_other_wall(std::span<const Tick> ticks) {
+  const CompareSlots slots = slots_of(state_.compare);
+  const bool alone = !live_ || borrowed_ || blind_test_runs(state_.compare);
+  if (alone) return state_.first.other.forget();
+  state_.first.other.follow(*live_, live_->generation(), slots.of(compare::other(slots.active)),
+                            ticks);
 }
 
 void Application::frame() {
@@ -143,8 +158,10 @@ void Application::frame() {
       context_of(state_, session(), snapshot, theme_, visibility(snapshot.generation));
   heed_feed(context);
   handle_keys(context, bindings_in_force(context.shows));
-  draw_window({context, history_.axis(context.shows.axis == Axis::kY ? 1 : 0), *renderer_,
-               state_.map, state_.all_runs, state_.studies});
+  const PageParts page{context,         history_.axis(context.shows.axis == Axis::kY ? 1 : 0),
+                       *renderer_,      state_.map,
+                       state_.all_runs, state_.studies};
+  draw_window({page, *other_renderer_, state_.first});
   // Last, because the panels hold references to the session that this replaces.
   heed_identify(snapshot);
   go_back();
@@ -200,6 +217,9 @@ void Application::note_sound() {
 void Application::look_at_moment(session::Snapshot& snapshot) {
   const std::optional<double> looked_at_s = std::exchange(state_.time.looked_at_s, {});
   note_tails(state_.tails, history_, session().scene(), session().knows_truth(), looked_at_s);
+  state_.first.other.judge();
+  follow_rhythm(state_.time,
+                state_.tails.at(state_.selection.axis == Axis::kY ? 1 : 0).frequency_hz);
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
     const draw::SampleHistory& samples = history_.axis(axis);
     Swept& swept = state_.wall.transient.swept.at(axis);
@@ -288,6 +308,7 @@ void Application::forget_session() {
   state_.timing.answer = {};
   in_force_generation_ = 0;
   history_.clear();
+  state_.first.other.forget();
   state_.edit.refusal.reset();
   state_.hand.drag.lead.release();
   state_.hand.led = false;

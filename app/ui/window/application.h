@@ -81,7 +81,8 @@ class Application {
 
   // Call it after ImGui::Render(). False: the window shows this frame already.
   [[nodiscard]] bool needs_painting() {
-    return paint_gate_.needs_painting(*ImGui::GetDrawData(), renderer_->times_drawn());
+    return paint_gate_.needs_painting(*ImGui::GetDrawData(),
+                                      renderer_->times_drawn() + other_renderer_->times_drawn());
   }
   void forget_painted() { paint_gate_.forget(); }
 
@@ -104,7 +105,8 @@ class Application {
   [[nodiscard]] const WallRenderer& renderer() const { return *renderer_; }
 
  private:
-  Application(Sessions sessions, std::unique_ptr<WallRenderer> renderer, const draw::Theme& theme,
+  Application(Sessions sessions, std::unique_ptr<WallRenderer> renderer,
+              std::unique_ptr<WallRenderer> other_renderer, const draw::Theme& theme,
               const Options& options);
 
   [[nodiscard]] Failure start_first(const Scene& scene);
@@ -113,6 +115,7 @@ class Application {
 
   // Starts the comparison of the present session.
   void compare_slots(const CompareSlots& slots);
+  void follow_with_other_wall(std::span<const Tick> ticks);
   void keep_appearance();
   void heed_plugins();
   void note_loop(const session::Snapshot& snapshot);
@@ -146,6 +149,7 @@ class Application {
   std::unique_ptr<session::LiveSession> live_;      // null while a recording is shown
   std::unique_ptr<session::ReplaySession> replay_;  // null while a session is live
   std::unique_ptr<WallRenderer> renderer_;
+  std::unique_ptr<WallRenderer> other_renderer_;  // of the other wall of the first window
   draw::Theme theme_;
   draw::Look look_ = draw::Look::kScreen;  // look in force, as the scale
   float scale_ = 0.0F;

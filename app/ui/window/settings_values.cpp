@@ -83,12 +83,14 @@ void each_value(State& state, const Field& field) {
   field("recording", "signals", state.recording.chosen_signals, AnyValue{});
   field("plots", "time_window_s", state.time.window_s,
         Range{kTimeWindowsS.front(), kTimeWindowsS.back()});
+  field("plots", "time_window_follows", state.time.follows_rhythm, AnyValue{});
   field("plots", "arrangement", plots.arrangement, kArrangements);
   field("plots", "loop", plots.phase.shown, AnyValue{});
   field("plots", "loop_of_last_contact", plots.phase.last_contact, AnyValue{});
   field("plots", "spectrum", plots.spectrum.shown, AnyValue{});
   field("plots", "spectrum_signal", plots.spectrum.quantity, SignalName{});
   field("plots", "bounds", plots.show_bounds, AnyValue{});
+  field("plots", "encoder_counts", plots.show_counts, AnyValue{});
   field("plots", "trigger", plots.trigger.mode, kTriggers);
   field("plots", "before_trigger", plots.trigger.pre_share, Range{0.0, kMaxShare});
   for (const auto& [name, id] : kPlots) {
@@ -98,6 +100,7 @@ void each_value(State& state, const Field& field) {
   field("wall", "magnification", state.wall.persisted.magnification,
         Range{0.0, kMagnifications.back()});
   field("sound", "volume", state.sound.volume, Range{});
+  field("compare", "open", test.open, AnyValue{});
   field("compare", "ghost", test.ghost_shown, AnyValue{});
   field("blind_test", "question", test.question, AnyValue{});
   field("blind_test", "trials", test.trials, Range{1.0, compare::kMaxTrials});

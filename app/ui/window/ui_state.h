@@ -4,6 +4,7 @@
 #include "app/ui/computed/all_runs.h"
 #include "app/ui/computed/study_state.h"
 #include "app/ui/computed/tail.h"
+#include "app/ui/first/first_window.h"
 #include "app/ui/page/map_state.h"
 #include "app/ui/panel/hand_state.h"
 #include "app/ui/panel/identify_state.h"
@@ -52,6 +53,7 @@ struct UiState {
   MapState map;
   AllRuns all_runs;
   Studies studies;
+  FirstState first;
 };
 
 [[nodiscard]] inline PanelContext context_of(UiState& state, session::SampleSource& session,

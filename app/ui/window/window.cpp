@@ -288,7 +288,6 @@ Failure run_window(const session::WindowOptions& options, const WindowHooks& hoo
        glfwGetTime, options.experiment, !options.signals.empty()},
       theme, sessions);
   if (!application) return application.error();
-  (*application)->state().scene.repeats = options.repeats;
   (*application)->state().identify.device = options.device;
   (*application)->state().identify.description = options.description;
   const InputTarget input(window.get(), **application);

@@ -2,6 +2,7 @@
 // on top.
 #pragma once
 
+#include "app/ui/first/first_window.h"
 #include "app/ui/page/pages.h"
 
 namespace hapticwall::ui {
@@ -11,6 +12,6 @@ namespace hapticwall::ui {
 void draw_dock(const PageParts& parts, ImVec2 size);
 
 // Draws a whole frame.
-void draw_window(const PageParts& parts);
+void draw_window(const FirstParts& parts);
 
 }  // namespace hapticwall::ui

@@ -11,6 +11,7 @@ namespace {
 
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
+using ui::lamp_tone;
 using ui::lamp_words;
 
 class EnergyLampStripTest : public GuiTest {
@@ -51,8 +52,8 @@ TEST_F(EnergyLampStripTest, UnderNoneTheHoldIsActiveAndTheObserverSeesNothing) {
   EXPECT_EQ(story().blame, EnergyBlame::kHold);
   EXPECT_GT(newest().energy_cv_j, 1.0) << "the observer is positive";
   const ui::LampWords words = lamp_words(story());
-  EXPECT_EQ(words.tone, draw::Tone::kBad);
-  EXPECT_THAT(words.text, StartsWith("active: the hand has extracted "));
+  EXPECT_EQ(lamp_tone(story(), state().tails.front()), draw::Tone::kBad);
+  EXPECT_THAT(words.text, StartsWith("the hand has extracted "));
   EXPECT_THAT(words.text, HasSubstr("J, the hold to blame"));
   EXPECT_THAT(words.remark, HasSubstr("observer (Eq. 6) sees nothing"));
 }
@@ -62,7 +63,7 @@ TEST_F(EnergyLampStripTest, UnderEnergyBoundingASlowPressIsNotActive) {
   expect_story_of_history();
   EXPECT_NE(story().state, EnergyState::kActive);
   EXPECT_EQ(story().blame, EnergyBlame::kNobody);
-  EXPECT_NE(lamp_words(story()).tone, draw::Tone::kBad);
+  EXPECT_EQ(lamp_tone(story(), state().tails.front()), draw::Tone::kMuted);
 }
 
 TEST_F(EnergyLampStripTest, UnderEnergyBoundingATapIsActiveThroughTheControlLaw) {
@@ -104,8 +105,7 @@ TEST_F(EnergyLampStripTest, BothToBlameIsToldWithBothFigures) {
   story.hold_beyond_budget_j = 0.02;
   story.control_law_j = 0.03;
   const ui::LampWords words = lamp_words(story);
-  EXPECT_EQ(words.text,
-            "active: the hand has extracted 50.0 mJ, the hold and the control law to blame");
+  EXPECT_EQ(words.text, "the hand has extracted 50.0 mJ, the hold and the control law to blame");
   EXPECT_EQ(words.remark, "the hold 20.0 mJ, the control law 30.0 mJ");
 }
 

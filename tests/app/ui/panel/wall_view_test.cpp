@@ -218,11 +218,11 @@ TEST_F(WallViewTest, ShowsTheIntervalAndTheLampWhetherTheWallShakesOrNot) {
   EXPECT_GT(shakes.handle_reach_m.below.x + shakes.handle_reach_m.above.x, 2e-3);
   EXPECT_GT(shakes.force_reach_n.below.x + shakes.force_reach_n.above.x, 8.0);
   EXPECT_TRUE(shakes.saturated) << "within the interval";
-  EXPECT_EQ(shakes.energy, draw::Tone::kBad);
+  EXPECT_EQ(shakes.verdict, draw::Tone::kBad);
   const ui::WallPicture quiet = picture_of(ImGuiKey_4);
   EXPECT_LT(quiet.handle_reach_m.below.x + quiet.handle_reach_m.above.x, 1e-4);
   EXPECT_FALSE(quiet.saturated);
-  EXPECT_NE(quiet.energy, draw::Tone::kBad);
+  EXPECT_NE(quiet.verdict, draw::Tone::kBad);
 }
 
 TEST_F(WallViewTest, NothingIsDrawnAgainWhileNothingChanges) {

@@ -171,9 +171,9 @@ TEST_P(WallRendererTest, TheEdgesHaveTheLampsColour) {
   WallPicture picture = one_wall();
   picture.handle_m = {0.02, 0.0};
   const glm::vec3 edge = on_face(0.05, 0.4F, WallMeasures::kWallHalfDepth);
-  picture.energy = draw::Tone::kBad;
+  picture.verdict = draw::Tone::kBad;
   const test::Colour bad = at(draw(picture), edge);
-  picture.energy = draw::Tone::kGood;
+  picture.verdict = draw::Tone::kGood;
   const test::Colour good = at(draw(picture), edge);
   EXPECT_GT(bad.red, bad.green);
   EXPECT_GT(good.green, good.red);

@@ -44,8 +44,10 @@ void change_all(UiState& state) {
   state.plots.persisted.phase.shown = true;
   state.plots.persisted.spectrum = {true, &Sample::force_n};
   state.plots.persisted.show_bounds = false;
+  state.plots.persisted.show_counts = true;
+  state.time.follows_rhythm = false;
   state.wall.persisted.magnification = 50;
-  state.compare.persisted = {false, "Which is steadier?", 12, 0.9, false};
+  state.compare.persisted = {true, false, "Which is steadier?", 12, 0.9, false};
   state.sound.volume = 0.8;
 }
 

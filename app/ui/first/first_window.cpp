@@ -1,0 +1,293 @@
+#include "app/ui/first/first_window.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "app/draw/plot/runs_plot.h"
+#include "app/file/text/text.h"
+#include "app/ui/first/wall_card.h"
+#include "app/ui/page/magnifier.h"
+#include "app/ui/panel/replay_bar.h"
+#include "app/ui/panel/sections.h"
+#include "app/ui/panel/toolbar.h"
+#include "app/ui/panel/tour_strip.h"
+#include "app/ui/panel/verdict_view.h"
+#include "app/ui/panel/wall_view.h"
+#include "app/ui/state/blind_test.h"
+#include "app/ui/state/comparing.h"
+#include "app/ui/state/time_view.h"
+#include "app/ui/state/window_state.h"
+#include "app/ui/widget/widgets.h"
+#include "core/algorithm/algorithm.h"
+
+namespace hapticwall::ui {
+namespace {
+
+using compare::Slot;
+using draw::PixelBox;
+
+constexpr float kGapEms = 0.8F;
+constexpr float kCardShare = 0.60F;  // of the height of cards and plots
+constexpr float kPlotPaddingEms = 0.8F;
+constexpr float kLeastEms = 10.0F;  // height of cards and plots in a window without room
+
+CardWall session_card(const FirstParts& parts, Slot slot) {
+  const PanelContext& context = parts.page.context;
+  const auto& lamp = context.compare.transient.lamp;
+  return {.slot = slot,
+          .leads = true,
+          .algorithm = context.session.scene().algorithm,
+          .scene = context.session.scene(),
+          .tail = context.tails.front(),
+          .story = lamp ? &lamp->story() : nullptr,
+          .history = parts.page.history,
+          .picture = shown_picture(context),
+          .newest = context.snapshot.newest.x()};
+}
+
+CardWall other_card(const FirstParts& parts, Slot slot) {
+  FirstState& first = parts.first;
+  const OtherWall& other = first.other;
+  CardWall wall{.slot = slot,
+                .leads = false,
+                .algorithm = other.scene().algorithm,
+                .scene = other.scene(),
+                .tail = other.tail(),
+                .story = &other.story(),
+                .history = other.history(),
+                .picture = draw::wall_picture(other.scene(), other.newest()),
+                .newest = other.newest()};
+  note_swept(first.other_swept, other.history());
+  sweep(wall.picture, Axis::kX, first.other_swept);
+  const auto stiffness = wall.tail.summary.displayed_stiffness_n_per_m;
+  const bool contact = (wall.newest.flags & kFlagInContact) != 0U && stiffness;
+  const draw::ShownStiffness now =
+      contact ? draw::ShownStiffness{std::max(*stiffness, 0.0), 1.0} : draw::ShownStiffness{};
+  first.other_shown = faded(first.other_shown, now, static_cast<double>(ImGui::GetIO().DeltaTime));
+  wall.picture.shown.front() = first.other_shown;
+  wall.picture.verdict = edge_tone(wall.tail);
+  return wall;
+}
+
+// Cards from left to right: slots A and B; one card before the first tick.
+std::vector<CardWall> cards_of(const FirstParts& parts) {
+  const Slot active = slots_of(parts.page.context.compare).active;
+  std::vector<CardWall> cards;
+  for (const Slot slot : {Slot::kA, Slot::kB}) {
+    if (slot == active) cards.push_back(session_card(parts, slot));
+    if (slot != active && parts.first.other.seen()) cards.push_back(other_card(parts, slot));
+  }
+  return cards;
+}
+
+// One magnification for both: the contact that reaches deeper decides.
+double span_of(const FirstParts& parts, const std::vector<CardWall>& cards, float card_width) {
+  const PanelContext& context = parts.page.context;
+  const float strip = strip_width(card_width);
+  double deepest_m = 0.0;
+  for (const CardWall& card : cards) {
+    const ContactView view{card.picture, card.history, card.newest, std::nullopt, false};
+    deepest_m = std::max(
+        deepest_m,
+        recent_depth_m(view, parts.first.magnified.at(static_cast<std::size_t>(card.slot))));
+  }
+  const WallCamera camera =
+      wall_view_camera(context.session.scene(), ImVec2(card_width - strip, strip));
+  const double pixels_per_m = camera.pixels_per_unit() * camera.units_per_m();
+  return contact_span_m(context.wall, deepest_m, static_cast<double>(strip) / pixels_per_m);
+}
+
+void draw_cards(const FirstParts& parts, const std::vector<CardWall>& cards, ImVec2 size) {
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const float gap = ems(kGapEms);
+  const auto count = static_cast<float>(cards.size());
+  const float width = (size.x - (count - 1.0F) * gap) / count;
+  const double span_m = span_of(parts, cards, width);
+  for (std::size_t i = 0; i < cards.size(); ++i) {
+    const float left = corner.x + static_cast<float>(i) * (width + gap);
+    WallRenderer& renderer = cards[i].leads ? parts.page.renderer : parts.other_renderer;
+    draw_wall_card(parts, renderer, cards[i],
+                   {ImVec2(left, corner.y), ImVec2(left + width, corner.y + size.y)}, span_m);
+  }
+  ImGui::SetCursorScreenPos(ImVec2(corner.x, corner.y + size.y + gap));
+}
+
+std::vector<draw::ShownRun> runs_of(const std::vector<CardWall>& cards) {
+  std::vector<draw::ShownRun> runs;
+  bool same_tone = true;
+  for (const CardWall& card : cards)
+    same_tone = same_tone && tail_tone(card.tail) == tail_tone(cards.front().tail);
+  for (const CardWall& card : cards) {
+    runs.push_back({card.history, spoken_name(card.algorithm), tail_tone(card.tail),
+                    same_tone && !card.leads});
+  }
+  return runs;
+}
+
+struct PlotChoice {
+  draw::PlotId plot;
+  draw::Quantity quantity;
+};
+constexpr std::array kShownPlots{
+    PlotChoice{draw::PlotId::kPosition, draw::Quantity(&PlantTruth::position_m)},
+    PlotChoice{draw::PlotId::kForce, draw::Quantity(&Sample::force_n)}};
+
+void draw_plots(const FirstParts& parts, const std::vector<CardWall>& cards, ImVec2 size) {
+  const PanelContext& context = parts.page.context;
+  const std::vector<draw::ShownRun> runs = runs_of(cards);
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const float gap = ems(kGapEms);
+  const float width = 0.5F * (size.x - gap);
+  const ImVec2 padding(ems(kPlotPaddingEms), 0.7F * ems(kPlotPaddingEms));
+  for (std::size_t i = 0; i < kShownPlots.size(); ++i) {
+    const PlotChoice& choice = kShownPlots.at(i);
+    const ImVec2 from(corner.x + static_cast<float>(i) * (width + gap), corner.y);
+    fill_panel(context.theme, {from, ImVec2(from.x + width, from.y + size.y)});
+    ImGui::SetCursorScreenPos(ImVec2(from.x + padding.x, from.y + padding.y));
+    const bool positions = choice.plot == draw::PlotId::kPosition;
+    const std::span<const WallSettings> walls =
+        positions ? std::span<const WallSettings>(context.session.scene().x().walls)
+                  : std::span<const WallSettings>();
+    draw_runs_plot({context.theme, draw::plot_description(choice.plot), choice.quantity, runs,
+                    walls, time_window(context.time)},
+                   parts.first.scratch,
+                   ImVec2(width - 2.0F * padding.x, size.y - 2.0F * padding.y));
+  }
+  ImGui::SetCursorScreenPos(ImVec2(corner.x, corner.y + size.y + gap));
+}
+
+// "One hand, one wall of 35 kN/m, two algorithms."
+std::string subject_of(const Scene& scene) {
+  if (scene.x().walls.size() != 1) return scene.description;
+  return fmt::format("One hand, one wall of {:.4g} kN/m, two algorithms",
+                     scene.x().walls.front().stiffness_n_per_m / 1e3);
+}
+
+struct HeadButton {
+  std::string label;
+  const char* tooltip;
+  void (*act)(const PanelContext&);
+  bool chosen = false;
+};
+
+void open_more(const PanelContext& context) { show_more(context.window, context.plots); }
+
+std::vector<HeadButton> head_buttons(const PanelContext& context) {
+  return {{context.snapshot.paused ? "Run###pause" : "Pause###pause",
+           "Pauses or runs the session (key P)", toggle_pause},
+          {"From rest###reset", "Back to tick 0, at rest (key R). Ends a recording.", ask_to_reset},
+          {"Tour###begin tour", "Five lessons, a minute each", begin_tour,
+           context.tour.step == 0 && context.tour.offered},
+          {"More###more",
+           "Every parameter, comparison, pages and plot controls. 'Less', at the same place, "
+           "comes back.",
+           open_more},
+          {"?###help", "All keys (F1)", toggle_help}};
+}
+
+// Title, subject and buttons. Without room the subject goes first.
+void draw_head(const PanelContext& context) {
+  const std::vector<HeadButton> buttons = head_buttons(context);
+  const float spacing = ImGui::GetStyle().ItemSpacing.x;
+  float width = -spacing;
+  for (const HeadButton& each : buttons) width += button_width(each.label.c_str()) + spacing;
+  ImGui::AlignTextToFramePadding();
+  draw::strong_text(context.theme, "Haptic Wall", draw::kTitleFontSize);
+  const std::string subject = subject_of(context.session.scene());
+  const float free =
+      ImGui::GetContentRegionAvail().x - ImGui::GetItemRectSize().x - 2.0F * ems(kGapEms) - width;
+  if (ImGui::CalcTextSize(subject.c_str()).x <= free) {
+    ImGui::SameLine(0.0F, ems(kGapEms));
+    ImGui::TextColored(context.theme.colour(draw::Tone::kMuted), "%s", subject.c_str());
+  }
+  ImGui::SameLine();
+  draw::align_right(width);
+  for (const HeadButton& each : buttons) {
+    const bool pressed = each.chosen ? choice_button(context, each.label, true, each.tooltip)
+                                     : button(each.label, each.tooltip);
+    if (pressed) each.act(context);
+    ImGui::SameLine();
+  }
+  ImGui::NewLine();
+}
+
+std::string chip_label(std::size_t index, bool whole) {
+  std::string name(algorithms()[index].name);
+  std::ranges::replace(name, '-', ' ');
+  return whole ? fmt::format("{}  {}###{}", index + 1, name, algorithms()[index].name)
+               : fmt::format("{}###{}", index + 1, algorithms()[index].name);
+}
+
+// The algorithms of the session; only their numbers where the names do not fit.
+void draw_chips(const PanelContext& context) {
+  const std::size_t now = context.session.scene().algorithm.index;
+  const float spacing = ImGui::GetStyle().ItemSpacing.x;
+  float whole = -spacing;
+  for (std::size_t i = 0; i < algorithms().size(); ++i)
+    whole += button_width(chip_label(i, true).c_str()) + spacing;
+  const bool fits = whole <= ImGui::GetContentRegionAvail().x;
+  for (std::size_t i = 0; i < algorithms().size(); ++i) {
+    const AlgorithmDescription& each = algorithms()[i];
+    const std::string tooltip = fmt::format(
+        "{}\n{}\n\nkey {}; changes the leading wall while it "
+        "runs, without a jump of the force",
+        each.title, each.idea, i + 1);
+    const std::string label = chip_label(i, fits || i == now);
+    if (i != 0) beside(button_width(label.c_str()));
+    const bool pressed =
+        i == now ? choice_button(context, label, true, tooltip) : button(label, tooltip);
+    if (pressed) choose_algorithm(context, i);
+  }
+}
+
+// Rows that are seen only when they are of use: an open recording, and one that is opened.
+void draw_rows_of_use(const PanelContext& context) {
+  const session::RecordingStatus status = context.shows.live->recording_status();
+  if (status.state != session::RecordingState::kIdle) {
+    draw_toolbar(context);
+  } else {
+    draw_opening(context);
+  }
+  if (context.tour.step > 0) draw_tour_strip(context);
+}
+
+// Behind cards and plots, which have the lighter colour of a panel.
+void darken(const draw::Theme& theme) {
+  const ImGuiViewport* viewport = ImGui::GetMainViewport();
+  const ImVec2 from = viewport->WorkPos;
+  ImGui::GetWindowDrawList()->AddRectFilled(
+      from, ImVec2(from.x + viewport->WorkSize.x, from.y + viewport->WorkSize.y),
+      theme.packed(draw::Tone::kBackground));
+}
+
+}  // namespace
+
+bool shows_first_window(const PanelContext& context) {
+  return context.shows.live != nullptr && !context.window.more && !context.shows.hides_algorithm &&
+         OtherWall::exists_for(context.session) && !context.compare.transient.test;
+}
+
+void draw_first_window(const FirstParts& parts) {
+  const PanelContext& context = parts.page.context;
+  darken(context.theme);
+  draw_head(context);
+  draw_rows_of_use(context);
+  follow_newest(context.time, parts.page.history.newest_time_s());
+  const ImVec2 free = ImGui::GetContentRegionAvail();
+  const float gap = ems(kGapEms);
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const float below =
+      ImGui::GetFrameHeight() + style.ItemSpacing.y + draw::kSmallFontSize * style.FontScaleMain;
+  const float height = std::max(free.y - below - 2.0F * gap, ems(kLeastEms));
+  const std::vector<CardWall> cards = cards_of(parts);
+  draw_cards(parts, cards, ImVec2(free.x, kCardShare * height));
+  draw_plots(parts, cards, ImVec2(free.x, (1.0F - kCardShare) * height));
+  draw_chips(context);
+  const draw::FontScope font(nullptr, draw::kSmallFontSize);
+  draw_foot(context);
+}
+
+}  // namespace hapticwall::ui
