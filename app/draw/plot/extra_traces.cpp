@@ -85,7 +85,7 @@ void draw_extra_traces(const PlotSurface& surface, const PlotDescription& plot) 
 void draw_extra_readout(const PlotSurface& surface, const PlotDescription& plot,
                         const PlotLine& line, double time_s) {
   for (const ExtraTrace& trace : surface.extra_traces) {
-    if (!has(surface, trace, line) || !is_drawn(surface, plot, line)) continue;
+    if (!has_drawn(surface, plot, trace, line)) continue;
     const double own_s = time_s - trace.shift_s;
     const SampleHistory& history = *trace.history;
     if (own_s < history.oldest_time_s() || own_s > history.newest_time_s()) continue;

@@ -236,11 +236,11 @@ void draw_readout(const PlotSurface& surface, const PlotDescription& plot) {
   ImGui::PushFont(surface.theme->fonts.digits, kSmallFontSize);
   ImGui::Text("%-20s %10.4f s", "time", history.value(&Sample::time_s, index));
   for (const PlotLine& line : plot.lines) {
-    if (!is_chosen(surface, plot, line)) continue;
+    const PlotLine shown = shown_line(surface, plot, line);
     const ValueScale& scale = plot.scale_of(line);
     const double value = history.value(line.quantity, index) * scale.scale;
-    if (!std::isnan(value))
-      ImGui::TextColored(surface.theme->colour(line.tone), "%-20s %10.4f %s", line.name, value,
+    if (is_chosen(surface, plot, line) && !std::isnan(value))
+      ImGui::TextColored(surface.theme->colour(shown.tone), "%-20s %10.4f %s", shown.name, value,
                          scale.unit);
     draw_extra_readout(surface, plot, line, pointed_s);
   }

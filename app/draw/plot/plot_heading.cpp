@@ -69,7 +69,8 @@ void draw_legend_entry(PlotSurface& surface, const PlotDescription& plot, const 
 void draw_extra_entry(PlotSurface& surface, const PlotDescription& plot, const ExtraTrace& trace,
                       ImVec2 corner) {
   const auto line = std::find_if(plot.lines.begin(), plot.lines.end(), [&](const PlotLine& each) {
-    return (trace.lines & line_bit(each.quantity)) != 0U && is_drawn(surface, plot, each);
+    return (trace.lines & line_bit(each.quantity)) != 0U &&
+           (is_drawn(surface, plot, each) || hides_counts(surface, each));
   });
   const ImVec4 colour = extra_colour(*surface.theme, trace, line->tone);
   ImGui::SetCursorScreenPos(corner);

@@ -38,7 +38,8 @@ void take_click(const FirstParts& parts, const CardWall& wall, const draw::Pixel
   ImGui::SetCursorScreenPos(box.from);
   ImGui::SetNextItemAllowOverlap();
   const std::string name = fmt::format("##lead {}", compare::slot_name(wall.slot));
-  if (ImGui::InvisibleButton(name.c_str(), ImVec2(box.to.x - box.from.x, box.to.y - box.from.y)))
+  const ImVec2 size(box.to.x - box.from.x, box.to.y - box.from.y);
+  if (ImGui::InvisibleButton(name.c_str(), size, ImGuiButtonFlags_EnableNav))
     choose_slot(parts.page.context, wall.slot);
   if (ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
 }

@@ -7,6 +7,7 @@
 #include "app/ui/panel/sections.h"
 #include "app/ui/state/changes.h"
 #include "app/ui/state/compare_state.h"
+#include "app/ui/state/comparing.h"
 #include "app/ui/state/text_edit.h"
 #include "app/ui/state/window_state.h"
 #include "app/ui/widget/described_field.h"
@@ -52,9 +53,15 @@ void choose_algorithm(const PanelContext& context, std::size_t index) {
                 std::string(algorithms()[index].name));
     return;
   }
-  AlgorithmSettings changed = context.session.scene().algorithm;
+  const AlgorithmSettings before = context.session.scene().algorithm;
+  AlgorithmSettings changed = before;
   changed.index = index;
-  if (const auto problem = ask_for_algorithm(context, changed)) tell(context.toasts, *problem);
+  const bool two_walls = !context.window.more;
+  if (const auto problem = ask_for_algorithm(context, changed)) {
+    tell(context.toasts, *problem);
+  } else if (two_walls) {
+    keep_walls_apart(context, before, index);
+  }
 }
 
 void draw_algorithm_section(const PanelContext& context) {

@@ -119,6 +119,7 @@ void open_or_close(DockState& dock, const std::string& window, bool open) {
   } else {
     layout = without(layout, std::array{window});
   }
+  dock.docked = layout_text(layout);
   show_layout(dock, std::move(layout));
 }
 

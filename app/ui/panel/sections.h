@@ -31,5 +31,6 @@ void choose_algorithm(const PanelContext& context, std::size_t index);
 // The row at the bottom: a hint while it is of use, and a dot that opens the state of the loop. The
 // dot has a sentence beside it when something is wrong.
 void draw_foot(const PanelContext& context);
+void toggle_status(const PanelContext& context);
 
 }  // namespace hapticwall::ui

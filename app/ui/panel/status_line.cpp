@@ -235,10 +235,14 @@ void draw_foot(const PanelContext& context) {
   }
   ImGui::SetCursorScreenPos(ImVec2(right - width, corner.y));
   if (ImGui::InvisibleButton("###status", ImVec2(width, ImGui::GetTextLineHeight()))) open = !open;
-  explain(open ? "Closes the state of the loop" : "Opens the state of the loop");
+  explain(open ? "Closes the state of the loop (key F4)" : "Opens the state of the loop (key F4)");
   ImGui::SetCursorScreenPos(ImVec2(right - width, corner.y));
   dot(context, trouble.tone);
   if (!open) ImGui::TextColored(context.theme.colour(trouble.tone), "%s", text.c_str());
+}
+
+void toggle_status(const PanelContext& context) {
+  context.window.status_shown = !context.window.status_shown;
 }
 
 }  // namespace hapticwall::ui

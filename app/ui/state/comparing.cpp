@@ -105,6 +105,14 @@ void toggle_slot(const PanelContext& context) {
   choose_slot(context, compare::other(slots_of(context.compare).active));
 }
 
+void keep_walls_apart(const PanelContext& context, const AlgorithmSettings& before,
+                      std::size_t index) {
+  auto& comparison = context.compare.transient.comparison;
+  if (!comparison) return;
+  const Slot other = compare::other(comparison->active());
+  if (comparison->settings(other).index == index) comparison->set_settings(other, before);
+}
+
 void take_present(const PanelContext& context, Slot slot) {
   auto& comparison = context.compare.transient.comparison;
   if (comparison) comparison->set_settings(slot, context.session.scene().algorithm);

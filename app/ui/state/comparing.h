@@ -44,6 +44,10 @@ void keep_slots(CompareState& compare, const Scene& scene);
 // Asks the session to run a slot. After a problem the wall stays, and the user is told.
 void choose_slot(const PanelContext& context, compare::Slot slot);
 void toggle_slot(const PanelContext& context);
+// The other slot takes `before`, the session's previous algorithm, if it has algorithms()[index],
+// too: two walls side by side differ.
+void keep_walls_apart(const PanelContext& context, const AlgorithmSettings& before,
+                      std::size_t index);
 // Copies the session's algorithm into a slot.
 void take_present(const PanelContext& context, compare::Slot slot);
 

@@ -110,6 +110,7 @@ bool draw_page(const PageParts& parts, const Page& page, bool closable) {
   DockState& dock = context.dock;
   if (!open) {
     dock.chosen = without(*dock.chosen, std::array{name});
+    dock.docked = layout_text(*dock.chosen);
     dock.rebuild = true;
   }
   return seen;

@@ -103,6 +103,7 @@ std::vector<KeyBinding> window_keys() {
   return {{KeyGroup::kWindow, "this help", {ImGuiKey_F1}, toggle_help, {}, U'?'},
           {KeyGroup::kWindow, "dark or light", {ImGuiKey_F2}, toggle_look},
           {KeyGroup::kWindow, "next layout of the windows", {ImGuiKey_F3}, next_layout},
+          {KeyGroup::kWindow, "state of the loop", {ImGuiKey_F4}, toggle_status},
           repeating({KeyGroup::kWindow,
                      "everything larger",
                      {ctrl(ImGuiKey_Equal)},

@@ -55,7 +55,7 @@ TEST_F(OverflowRowTest, EveryControlIsInTheRowOrInItsPopup) {
 }
 
 TEST_F(OverflowRowTest, AControlInThePopupWorks) {
-  make_wide(700.0F);
+  make_wide(620.0F);
   EXPECT_FALSE(sees("repeat scene"));
   click("more of session");
   click("repeat scene");

@@ -211,7 +211,7 @@ TEST_F(KeysTest, TheArrowsReachTheControls) {
   // The scene omits the last two.
   const std::set<std::string> disabled{
       "undo", "redo", "step", "automatic axes", "sampling.render_every", "sampling.lost_ticks"};
-  const std::set<std::string> for_the_pointer{"wall view", "magnifier"};
+  const std::set<std::string> for_the_pointer{"wall view", "magnifier", "status"};
   for (const auto& [name, item] : usual) {
     const bool pointed = name.starts_with("legend ") || name.ends_with("-slider") ||
                          name.starts_with("gap ") || for_the_pointer.contains(name);
