@@ -58,7 +58,7 @@ void OtherWall::judge() {
   if (!seen()) return;
   const auto end = history_.value(&Sample::tick, history_.size() - 1);
   if (static_cast<std::uint64_t>(end) + 1 == tail_.end_tick) return;
-  tail_ = tail_of(history_, scene(), history_.size(), true);
+  tail_ = draw::tail_of(history_, scene(), history_.size(), true);
 }
 
 }  // namespace hapticwall::ui

@@ -9,7 +9,7 @@
 #include "app/draw/plot/sample_history.h"
 #include "app/session/counterpart.h"
 #include "app/session/sample_source.h"
-#include "app/ui/computed/tail.h"
+#include "app/draw/plot/tail.h"
 #include "core/algorithm_settings.h"
 #include "core/sample.h"
 #include "core/scene.h"
@@ -40,7 +40,7 @@ class OtherWall {
   [[nodiscard]] const Scene& scene() const { return run_->scene(); }
   [[nodiscard]] const draw::SampleHistory& history() const { return history_; }
   [[nodiscard]] Sample newest() const { return history_.sample(history_.size() - 1); }
-  [[nodiscard]] const Tail& tail() const { return tail_; }
+  [[nodiscard]] const draw::Tail& tail() const { return tail_; }
   [[nodiscard]] const EnergyStory& story() const { return lamp_->story(); }
 
  private:
@@ -50,7 +50,7 @@ class OtherWall {
   std::optional<session::Counterpart> run_;
   std::optional<EnergyLamp> lamp_;
   draw::SampleHistory history_{kHistoryTicks};
-  Tail tail_;
+  draw::Tail tail_;
   std::uint64_t next_tick_ = 0;  // of the session
   std::uint32_t generation_ = 0;
   AlgorithmSettings other_;

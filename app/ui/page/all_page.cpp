@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "app/draw/plot/plot_axes.h"
+#include "app/draw/plot/tail.h"
 #include "app/file/text/verdict.h"
 #include "app/ui/computed/all_runs.h"
-#include "app/ui/computed/tail.h"
 #include "app/ui/page/pages.h"
 #include "app/ui/state/model_runs.h"
 #include "app/ui/widget/widgets.h"

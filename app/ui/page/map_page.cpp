@@ -5,7 +5,7 @@
 #include <string>
 
 #include "app/draw/figure/map_field.h"
-#include "app/ui/computed/tail.h"
+#include "app/draw/plot/tail.h"
 #include "app/ui/page/map_controls.h"
 #include "app/ui/page/map_state.h"
 #include "app/ui/page/pages.h"
@@ -76,7 +76,7 @@ std::string cell_text(const MapPicture& picture, std::size_t cell) {
   summary.tail_force_mean_n = metrics.tail_force_mean_n;
   summary.tail_force_std_n = metrics.tail_force_std_n;
   summary.displayed_stiffness_n_per_m = metrics.displayed_stiffness_n_per_m;
-  return fmt::format("{}\n{}\n{}", figures_text(summary), value_text(map.x, at.x),
+  return fmt::format("{}\n{}\n{}", draw::figures_text(summary), value_text(map.x, at.x),
                      value_text(map.y, at.y));
 }
 

@@ -131,7 +131,7 @@ LampWords lamp_words(const EnergyStory& story) {
   return {"passive", {}, "passive", "passive"};
 }
 
-draw::Tone lamp_tone(const EnergyStory& story, const Tail& tail) {
+draw::Tone lamp_tone(const EnergyStory& story, const draw::Tail& tail) {
   const bool wrong = tail.summary.verdict != Verdict::kNoContact && !is_good(tail.summary.verdict);
   return story.state == EnergyState::kActive && wrong ? tail_tone(tail) : draw::Tone::kMuted;
 }

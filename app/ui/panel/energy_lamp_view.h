@@ -19,7 +19,7 @@ struct LampWords {
 
 // The tone of the verdict when the hand has extracted energy and the verdict is no good one; muted
 // otherwise, because a contact that has come to rest needs no alarm.
-[[nodiscard]] draw::Tone lamp_tone(const EnergyStory& story, const Tail& tail);
+[[nodiscard]] draw::Tone lamp_tone(const EnergyStory& story, const draw::Tail& tail);
 
 // A sentence without the terms of the paper: "The hold has fed the hand 0.51 J." Precondition: the
 // hand has extracted energy.

@@ -40,11 +40,11 @@ std::string force_words(const Summary& s, bool shakes) {
   return text + " N";
 }
 
-std::string at_frequency(const Tail& tail) {
+std::string at_frequency(const draw::Tail& tail) {
   return tail.frequency_hz ? " at " + two_digits(*tail.frequency_hz) + " Hz" : std::string();
 }
 
-std::string way_words(const Tail& tail) {
+std::string way_words(const draw::Tail& tail) {
   const double way_mm = tail.summary.tail_peak_to_peak_m.value_or(0.0) * kMillimetresPerMetre;
   return two_digits(way_mm) + " mm" + at_frequency(tail);
 }
@@ -64,16 +64,16 @@ const char* const kVerdictMeaning =
     "or oscillating if the handle swings by more than 0.1 mm. Otherwise the handle rests (settled) "
     "or moves (moving), and a wall that gives the hand more than 5 mW is called active.";
 
-draw::Tone tail_tone(const Tail& tail) {
+draw::Tone tail_tone(const draw::Tail& tail) {
   return tail.end_tick == 0 ? draw::Tone::kMuted : draw::verdict_tone(tail.summary.verdict);
 }
 
-std::optional<draw::Tone> edge_tone(const Tail& tail) {
+std::optional<draw::Tone> edge_tone(const draw::Tail& tail) {
   const draw::Tone tone = tail_tone(tail);
   return tone == draw::Tone::kMuted ? std::nullopt : std::optional(tone);
 }
 
-VerdictWords verdict_words(const Tail& tail) {
+VerdictWords verdict_words(const draw::Tail& tail) {
   const Summary& s = tail.summary;
   if (tail.end_tick == 0 || !s.tail_peak_to_peak_m) return {"waiting", {}, {}, draw::Tone::kMuted};
   VerdictWords words{file::verdict_text(s), stiffness_words(s), force_words(s, false),
@@ -126,7 +126,7 @@ void draw_verdict(const PanelContext& context) {
   if (context.shows.hides_force) return ImGui::TextDisabled("verdict: hidden");
   if (context.identify.experiment)
     return ImGui::TextDisabled("the experiment moves the handle: no verdict");
-  const Tail& tail = context.tails.at(shown_index(context));
+  const draw::Tail& tail = context.tails.at(shown_index(context));
   const VerdictWords words = verdict_words(tail);
   ImGui::BeginGroup();
   ImGui::PushStyleColor(ImGuiCol_Text, context.theme.colour(words.tone));

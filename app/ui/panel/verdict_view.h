@@ -6,7 +6,7 @@
 #include <string>
 
 #include "app/draw/plot/theme.h"
-#include "app/ui/computed/tail.h"
+#include "app/draw/plot/tail.h"
 #include "app/ui/state/panel_context.h"
 
 namespace hapticwall::ui {
@@ -19,12 +19,12 @@ struct VerdictWords {
   std::string more;     // "4.9 ± 4.4 N"; may be empty
   draw::Tone tone = draw::Tone::kMuted;
 };
-[[nodiscard]] VerdictWords verdict_words(const Tail& tail);
+[[nodiscard]] VerdictWords verdict_words(const draw::Tail& tail);
 
 // The tone of a verdict, of the wall's edge, and of a lamp that speaks; muted out of contact.
-[[nodiscard]] draw::Tone tail_tone(const Tail& tail);
+[[nodiscard]] draw::Tone tail_tone(const draw::Tail& tail);
 // tail_tone() for the edge of a wall, which has its own colour out of contact.
-[[nodiscard]] std::optional<draw::Tone> edge_tone(const Tail& tail);
+[[nodiscard]] std::optional<draw::Tone> edge_tone(const draw::Tail& tail);
 
 // Draws word and numbers side by side, from the cursor on. `size_px` of the word, at scale 1.
 void draw_verdict_words(const draw::Theme& theme, const VerdictWords& words, float size_px);

@@ -1,10 +1,10 @@
 // The arguments of every panel.
 #pragma once
 
+#include "app/draw/plot/tail.h"
 #include "app/draw/plot/theme.h"
 #include "app/session/live_session.h"
 #include "app/session/replay_session.h"
-#include "app/ui/computed/tail.h"
 #include "app/ui/state/messages.h"
 #include "app/ui/wall/wall_measures.h"
 #include "core/scene.h"
@@ -66,7 +66,7 @@ struct PanelContext {
   PlotsState& plots;
   CompareState& compare;
   TimingState& timing;
-  const Tails& tails;
+  const draw::Tails& tails;
   ReplayState& replay;
   IdentifyState& identify;
 };

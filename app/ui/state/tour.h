@@ -5,7 +5,7 @@
 #include <span>
 #include <string_view>
 
-#include "app/ui/computed/tail.h"
+#include "app/draw/plot/tail.h"
 #include "core/scene.h"
 #include "core/study/energy_story.h"
 
@@ -14,7 +14,7 @@ namespace hapticwall::ui {
 // Facts by which a step is judged.
 struct Sight {
   const Scene& scene;
-  const Tail& tail;
+  const draw::Tail& tail;
   const EnergyStory& story;
 };
 

@@ -1,9 +1,9 @@
 // The states of all pages, panels and views, owned by the application.
 #pragma once
 
+#include "app/draw/plot/tail.h"
 #include "app/ui/computed/all_runs.h"
 #include "app/ui/computed/study_state.h"
-#include "app/ui/computed/tail.h"
 #include "app/ui/first/first_window.h"
 #include "app/ui/page/map_state.h"
 #include "app/ui/panel/hand_state.h"
@@ -47,7 +47,7 @@ struct UiState {
   PlotsState plots;
   CompareState compare;
   TimingState timing;
-  Tails tails;
+  draw::Tails tails;
   ReplayState replay;
   IdentifyState identify;
   MapState map;

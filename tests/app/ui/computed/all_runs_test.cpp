@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <set>
 
+#include "app/draw/plot/tail.h"
 #include "app/file/scene/scene_file.h"
-#include "app/ui/computed/tail.h"
 #include "core/run/simulate.h"
 #include "tests/app/session/support.h"
 
@@ -26,7 +26,7 @@ TEST(RunAll, HasEveryAlgorithmWithTheSummaryOfASimulation) {
     Scene one = press();
     one.algorithm = run.algorithm.settings;
     const Summary wanted = simulate(one).summary;
-    EXPECT_EQ(ui::figures_text(run.summary), ui::figures_text(wanted)) << run.algorithm.label;
+    EXPECT_EQ(draw::figures_text(run.summary), draw::figures_text(wanted)) << run.algorithm.label;
     EXPECT_EQ(run.summary.tail_force_std_n, wanted.tail_force_std_n) << run.algorithm.label;
     EXPECT_EQ(run.summary.min_energy_scv_j, wanted.min_energy_scv_j) << run.algorithm.label;
   }
@@ -74,14 +74,14 @@ TEST(AllRunsTest, OfAnotherSceneReplaceThoseBefore) {
   all.ask_for(press());
   EXPECT_TRUE(all.running());
   take_until(all, [&] { return all.up_to_date(); });
-  const std::string before = ui::figures_text(all.runs().front().summary);
+  const std::string before = draw::figures_text(all.runs().front().summary);
   Scene soft = press();
   soft.x().walls.front().stiffness_n_per_m = 500.0;
   all.ask_for(soft);
   EXPECT_FALSE(all.up_to_date());
   EXPECT_FALSE(all.runs().empty()) << "the old ones stay until then";
   take_until(all, [&] { return all.up_to_date(); });
-  EXPECT_NE(ui::figures_text(all.runs().front().summary), before);
+  EXPECT_NE(draw::figures_text(all.runs().front().summary), before);
 }
 
 TEST(AllRunsTest, AnotherAlgorithmInForceChangesNothing) {

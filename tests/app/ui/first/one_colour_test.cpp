@@ -27,7 +27,7 @@ class OneColourTest : public GuiTest {
     return ui::shown_picture(ui::context_of(state(), *fake_, snapshot, theme, {.live = fake_}))
         .verdict;
   }
-  [[nodiscard]] const ui::Tail& tail() const { return state().tails.front(); }
+  [[nodiscard]] const draw::Tail& tail() const { return state().tails.front(); }
   [[nodiscard]] Tone lamp() const {
     return ui::lamp_tone(state().compare.transient.lamp->story(), tail());
   }

@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/ui/computed/tail.h"
+#include "app/draw/plot/tail.h"
 #include "app/ui/state/blind_test.h"
 #include "core/run/simulate.h"
 #include "tests/app/ui/gui_test.h"
@@ -36,7 +36,7 @@ TEST_F(AllPageTest, ShowsTheVerdictOfEveryAlgorithmAndAClickPutsItInForce) {
     if (!sees(item)) scroll_down_at(first);
     click(item);
     EXPECT_EQ(scene().algorithm, run.algorithm.settings) << item;
-    EXPECT_EQ(ui::figures_text(simulate(scene()).summary), ui::figures_text(run.summary));
+    EXPECT_EQ(draw::figures_text(simulate(scene()).summary), draw::figures_text(run.summary));
     EXPECT_THAT(text(), HasSubstr("mm p-p")) << item;
   }
   EXPECT_EQ(sessions, 1) << "each changes while the session runs";
@@ -63,14 +63,14 @@ TEST_F(AllPageTest, AVerdictHasTheColourOfItsGrade) {
 }
 
 TEST_F(AllPageTest, FollowsTheScene) {
-  const std::string before = ui::figures_text(all().runs().front().summary);
+  const std::string before = draw::figures_text(all().runs().front().summary);
   Scene changed = scene();
   changed.x().walls.front().stiffness_n_per_m = 500.0;
   ASSERT_FALSE(fake_->change_scene(changed));
   frames(1);
   EXPECT_FALSE(all().up_to_date());
   runs_are_there();
-  EXPECT_NE(ui::figures_text(all().runs().front().summary), before);
+  EXPECT_NE(draw::figures_text(all().runs().front().summary), before);
 }
 
 TEST_F(AllPageTest, AnotherPageAndABlindTestStopAndHideIt) {

@@ -38,7 +38,7 @@ class TourTest : public GuiTest {
   }
   // A word must be there; a number must be there when it is rounded to the digits of the claim.
   void expect_on_strip(const std::string& claim) const {
-    const std::string strip = ui::tail_text(state().tails.front());
+    const std::string strip = draw::tail_text(state().tails.front());
     static const std::regex kNumber("([0-9.]+) ([a-zA-Z/]+)");
     std::smatch wanted;
     if (!std::regex_match(claim, wanted, kNumber)) {
@@ -81,7 +81,7 @@ TEST_F(TourTest, EveryLessonIsSeenAsItsTextSays) {
     EXPECT_FALSE(state().tour.step_done);
     follow(std::string(steps[i].text));
     frames(2);
-    EXPECT_TRUE(state().tour.step_done) << ui::tail_text(state().tails.front());
+    EXPECT_TRUE(state().tour.step_done) << draw::tail_text(state().tails.front());
     EXPECT_TRUE(sees("· seen"));
     expect_claims(std::string(steps[i].text));
     if (i + 1 < steps.size()) click("tour next");

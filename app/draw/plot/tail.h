@@ -12,7 +12,7 @@
 #include "core/scene.h"
 #include "core/summary.h"
 
-namespace hapticwall::ui {
+namespace hapticwall::draw {
 
 struct Tail {
   std::uint64_t end_tick = 0;  // tick after the newest sample; 0: none yet
@@ -24,13 +24,13 @@ using Tails = std::array<Tail, kMaxAxes>;
 
 // The second before the sample `end`, or all of it if it is shorter, judged alone. `scene`: of its
 // axis. `knows_truth`: see SampleSource. Precondition: end <= history.size().
-[[nodiscard]] Tail tail_of(const draw::SampleHistory& history, const Scene& scene, std::size_t end,
+[[nodiscard]] Tail tail_of(const SampleHistory& history, const Scene& scene, std::size_t end,
                            bool knows_truth);
 
 // Keeps the tails of all axes up to date: of the newest second, or of that before `at_s`. Costs
 // nothing without a new sample.
-void note_tails(Tails& tails, const draw::TickHistory& history, const Scene& scene,
-                bool knows_truth, std::optional<double> at_s = std::nullopt);
+void note_tails(Tails& tails, const TickHistory& history, const Scene& scene, bool knows_truth,
+                std::optional<double> at_s = std::nullopt);
 
 // "50.0 Hz · 2.825 mm p-p"; empty without a rhythm.
 [[nodiscard]] std::string rhythm_text(const Tail& tail);
@@ -41,4 +41,4 @@ void note_tails(Tails& tails, const draw::TickHistory& history, const Scene& sce
 // figures_text() and the rhythm: "… · quiet".
 [[nodiscard]] std::string tail_text(const Tail& tail);
 
-}  // namespace hapticwall::ui
+}  // namespace hapticwall::draw

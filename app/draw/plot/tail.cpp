@@ -1,4 +1,4 @@
-#include "app/ui/computed/tail.h"
+#include "app/draw/plot/tail.h"
 
 #include <fmt/format.h>
 
@@ -6,13 +6,9 @@
 #include "app/file/text/verdict.h"
 #include "core/run/metrics.h"
 
-namespace hapticwall::ui {
+namespace hapticwall::draw {
 namespace {
 
-using draw::Extremes;
-using draw::IndexRange;
-using draw::Quantity;
-using draw::SampleHistory;
 using file::fixed;
 
 constexpr double kCrossed = 0.25;  // share of the extremes, on either side of their middle
@@ -173,4 +169,4 @@ std::string tail_text(const Tail& tail) {
   return file::verdict_text(tail.summary) + " · " + tail_numbers_text(tail);
 }
 
-}  // namespace hapticwall::ui
+}  // namespace hapticwall::draw

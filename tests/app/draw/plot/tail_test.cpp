@@ -1,5 +1,5 @@
 // The strip of the window tells what `run` tells of the same second.
-#include "app/ui/computed/tail.h"
+#include "app/draw/plot/tail.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@
 #include "core/run/metrics.h"
 #include "core/run/simulate.h"
 
-namespace hapticwall::ui {
+namespace hapticwall::draw {
 namespace {
 
 using ::testing::EndsWith;
@@ -69,7 +69,7 @@ TEST(Tail, IsThatOfARunAtTwentyMomentsOfEverySceneAndAlgorithm) {
     for (std::size_t algorithm = 0; algorithm < algorithms().size(); ++algorithm) {
       SCOPED_TRACE(scene.name + " under " + std::string(algorithms()[algorithm].name));
       scene.algorithm.index = algorithm;
-      draw::TickHistory history;
+      TickHistory history;
       Tails tails;
       const auto push = [&](const Tick& tick) {
         history.push(std::span(&tick, 1));
@@ -87,7 +87,7 @@ TEST(Tail, IsThatOfARunAtTwentyMomentsOfEverySceneAndAlgorithm) {
 // A handle that swings 1 mm at 50 Hz, with a force that swings with it.
 Tail swinging(double position_m, double force_n) {
   Scene scene;
-  draw::SampleHistory history(draw::kHistoryCapacity);
+  SampleHistory history(kHistoryCapacity);
   for (std::uint64_t tick = 0; tick < 1500; ++tick) {
     const double phase = 2.0 * std::numbers::pi * 50.0 * static_cast<double>(tick) * 1e-3;
     Sample sample;
@@ -103,7 +103,7 @@ Tail swinging(double position_m, double force_n) {
 
 // 10 mm/s, the hand and the handle.
 Tail following_the_hand() {
-  draw::SampleHistory history(draw::kHistoryCapacity);
+  SampleHistory history(kHistoryCapacity);
   for (std::uint64_t tick = 0; tick < 1000; ++tick) {
     Sample sample;
     sample.tick = tick;
@@ -129,7 +129,7 @@ TEST(Tail, TellsTheRhythm) {
 
 TEST(Tail, FollowsTheNewestSampleOfEveryAxis) {
   Tails tails;
-  draw::TickHistory history;
+  TickHistory history;
   Scene scene;
   note_tails(tails, history, scene, true);
   EXPECT_EQ(tails[0].end_tick, 0U);
@@ -154,4 +154,4 @@ TEST(Tail, FollowsTheNewestSampleOfEveryAxis) {
 }
 
 }  // namespace
-}  // namespace hapticwall::ui
+}  // namespace hapticwall::draw
