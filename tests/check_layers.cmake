@@ -1,24 +1,16 @@
-#Fails when an #include line goes against the arrows of the house:
-#core < -device < -app / session < -app / ui, app / command; app / file stands on core alone;
-#core, app / file < -app / compare, app / draw, app / table; \
-    app / compare, app / draw, app / table < -app / ui;      \
-    app / compare, app / draw < -app / command;
-#app / table, the data of app / draw < -app / study < -app / ui, app / command;
-#core < -app / sound / signal < -app / command; \
-    app / sound / signal, app / session, device < -app / sound / live < -app / ui;
-#core, app / file, app / table < -app / command / report < -app / command; \
-    core, app / file, app / session, app / table, app / study < -app / python.
-#Within a layer the rooms have arrows, too:
-#device < -device / link < -device / port; app / session : loop < -the files beside it;
-#app / command : the files beside the rooms < -run, study, map, device; run, study < -compare; \
-    run < -replay, identify;
-#app / draw : plot < -figure, wall; \
-    app / ui : wall,                \
-    computed < -state < -widget < -panel < -page < -first < -window(a widget knows no wall).
-# `core` is pure : the standard library without clocks, files and threads, Eigen and itself;
-#core / run / workers.cpp alone spreads scenes over the cores.
-#Only app / draw and app / ui know that there is OpenGL.Usage : cmake - DROOT = \
-    FOLDER - P check_layers.cmake
+# Fails when an #include line goes against the arrows of the house:
+#   core <- device <- app/session <- app/ui, app/command; app/file stands on core alone;
+#   core, app/file <- app/compare, app/draw, app/table; app/compare, app/draw, app/table <- app/ui; app/compare, app/draw <- app/command;
+#   app/table, the data of app/draw <- app/study <- app/ui, app/command;
+#   core <- app/sound/signal <- app/command; app/sound/signal, app/session, device <- app/sound/live <- app/ui;
+#   core, app/file, app/table <- app/command/report <- app/command; core, app/file, app/session, app/table, app/study <- app/python.
+# Within a layer the rooms have arrows, too:
+#   device <- device/link <- device/port; app/session: loop <- the files beside it;
+#   app/command: the files beside the rooms <- run, study, map, device; run, study <- compare; run <- replay, identify;
+#   app/draw: plot <- figure, wall <- film; app/ui: wall, computed <- state <- widget <- panel <- page <- first <- window (a widget knows no wall).
+# `core` is pure: the standard library without clocks, files and threads, Eigen and itself;
+# core/run/workers.cpp alone spreads scenes over the cores.
+# Only app/draw and app/ui know that there is OpenGL. Usage: cmake -DROOT=FOLDER -P check_layers.cmake
 cmake_minimum_required(VERSION 3.25)
 
 set(layers core device app/file app/session app/compare app/table app/draw app/study app/sound/signal app/sound/live app/ui app/command/report app/command app/python app
@@ -40,11 +32,12 @@ set(may_include_app/python core app/file app/session app/table app/study app/pyt
 set(may_include_app ${layers})
 set(may_include_tests ${layers})
 
-set(rooms app/draw/plot app/draw/figure app/draw/wall app/ui/wall app/ui/computed app/ui/state app/ui/widget app/ui/panel app/ui/page
+set(rooms app/draw/plot app/draw/figure app/draw/wall app/draw/film app/ui/wall app/ui/computed app/ui/state app/ui/widget app/ui/panel app/ui/page
     app/ui/first app/ui/window)
 set(may_include_app/draw/plot app/draw/plot)
 set(may_include_app/draw/figure app/draw/plot app/draw/figure)
 set(may_include_app/draw/wall app/draw/plot app/draw/wall)
+set(may_include_app/draw/film app/draw/plot app/draw/figure app/draw/wall app/draw/film)
 set(may_include_app/ui/wall app/ui/wall)
 set(may_include_app/ui/computed app/ui/computed)
 set(may_include_app/ui/state app/ui/wall app/ui/computed app/ui/state)
@@ -54,7 +47,7 @@ set(may_include_app/ui/page app/ui/wall app/ui/computed app/ui/state app/ui/widg
 set(may_include_app/ui/first app/ui/wall app/ui/computed app/ui/state app/ui/widget app/ui/panel app/ui/page app/ui/first)
 set(may_include_app/ui/window app/ui/wall app/ui/computed app/ui/state app/ui/widget app/ui/panel app/ui/page app/ui/first app/ui/window)
 
-#A folder after its rooms stands for the files beside them.
+# A folder after its rooms stands for the files beside them.
 list(APPEND rooms device/link device/port device app/session/loop app/session)
 set(may_include_device/link device device/link)
 set(may_include_device/port device device/link device/port)
@@ -73,7 +66,7 @@ set(graphics "^(imgui|implot|backends/imgui_|GLFW/|epoxy/|GL/|GLES|EGL/|KHR/|glm
 set(may_draw app/draw app/ui)
 set(impure "^(chrono|condition_variable|ctime|filesystem|fstream|future|iostream|mutex|semaphore|shared_mutex|stop_token|syncstream|thread)$")
 
-#The first of these folders that holds `path`; empty when there is none.
+# The first of these folders that holds `path`; empty when there is none.
 function(folder_of path out)
   foreach(folder ${ARGN})
     string(FIND "${path}" "${folder}/" position)
@@ -82,41 +75,33 @@ function(folder_of path out)
       return()
     endif()
   endforeach()
-  set(${
-  out} "" PARENT_SCOPE)
+  set(${out} "" PARENT_SCOPE)
 endfunction()
 
-#Why `file` of `layer` may not include `header`, or nothing.
+# Why `file` of `layer` may not include `header`, or nothing.
 function(objection file layer header out)
-  set(${
-  out} "" PARENT_SCOPE)
+  set(${out} "" PARENT_SCOPE)
   folder_of("${header}" target ${layers})
   folder_of("${file}" room ${rooms})
   folder_of("${header}" target_room ${rooms})
   string(FIND "${target_room}/" "${layer}/" same_layer)
   if(header MATCHES "^\\.\\.?/")
-    set(${
-  out} "is not named from the root of the repository" PARENT_SCOPE)
+    set(${out} "is not named from the root of the repository" PARENT_SCOPE)
   elseif(header MATCHES "${graphics}" AND NOT layer IN_LIST may_draw AND NOT file MATCHES "^tests/(app/draw|app/ui|offscreen|window|window_benchmark)/")
-    set(${
-  out} "draws, and only app/draw and app/ui may" PARENT_SCOPE)
+    set(${out} "draws, and only app/draw and app/ui may" PARENT_SCOPE)
   elseif(target AND NOT target IN_LIST may_include_${layer})
-    set(${
-  out} "is of ${target}, which ${layer} must not know" PARENT_SCOPE)
+    set(${out} "is of ${target}, which ${layer} must not know" PARENT_SCOPE)
   elseif(room AND same_layer EQUAL 0 AND NOT target_room IN_LIST may_include_${room})
-    set(${
-  out} "is of ${target_room}, which ${room} must not know" PARENT_SCOPE)
+    set(${out} "is of ${target_room}, which ${room} must not know" PARENT_SCOPE)
   elseif(layer STREQUAL "core" AND NOT target)
     if(header MATCHES "^(thread|sched\\.h)$" AND file STREQUAL "core/run/workers.cpp")
       return()  # it shares scenes out
     elseif(header STREQUAL plugin.h AND file MATCHES "/include/hapticwall/")
       return()  # beside it, where a user has both
     elseif(header MATCHES "${impure}")
-      set(${
-  out} "has a clock, files or threads, and core is pure" PARENT_SCOPE)
+      set(${out} "has a clock, files or threads, and core is pure" PARENT_SCOPE)
     elseif(NOT header MATCHES "^((unsupported/)?Eigen/.*|[a-z_0-9]+|stdint\\.h)$")
-      set(${
-  out} "is neither the standard library, Eigen nor core" PARENT_SCOPE)
+      set(${out} "is neither the standard library, Eigen nor core" PARENT_SCOPE)
     endif()
   endif()
 endfunction()

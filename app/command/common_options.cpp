@@ -287,11 +287,14 @@ Failure check_outputs(const OutputOptions& options, std::vector<std::string> rea
   if (options.csv == kStandardOutput) return usage_error("--csv -: it takes a file name");
   if (options.plot == kStandardOutput) return usage_error("--plot -: it takes a file name");
   if (options.wav == kStandardOutput) return usage_error("--wav -: it takes a file name");
+  if (options.frames == kStandardOutput)
+    return usage_error("--frames -: it takes the name of a folder");
   std::vector<std::pair<std::string_view, std::string>> files{
       {"--csv", options.csv},
       {"--json", options.json},
       {"--plot", options.plot},
       {"--wav", options.wav},
+      {"--frames", options.frames},
       {"--stream", options.stream.path},
       {"--device-file", options.device_file},
       {"--scene-file", options.scene_file}};

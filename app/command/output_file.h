@@ -32,6 +32,7 @@ struct OutputOptions {
   std::string json;
   std::string plot;
   std::string wav;
+  std::string frames;  // the folder of a film
   StreamChoice stream;
   std::string device_file;  // the device file that identify writes
   std::string scene_file;   // the scene that a study writes

@@ -12,6 +12,8 @@
 #include "app/command/report/expectation.h"
 #include "app/command/report/summary_table.h"
 #include "app/command/report/terminal.h"
+#include "app/command/run/film_options.h"
+#include "app/command/run/film_output.h"
 #include "app/command/run/headless.h"
 #include "app/command/run/realtime_run.h"
 #include "app/command/run/run_outputs.h"
@@ -27,6 +29,7 @@ namespace {
 struct RunOptions {
   SceneOptions scene;
   OutputOptions output;
+  FilmOptions film;
   bool realtime = false;
   bool arm = false;
 };
@@ -57,17 +60,27 @@ Failure check_realtime(const SceneOptions& options, const file::LoadedScene& loa
       file::shown(options.scene)));
 }
 
-std::function<void(const Tick&)> tick_sink(RunOutputs& outputs) {
-  if (!outputs.wants_ticks()) return {};
-  return [&outputs](const Tick& tick) { outputs.take(tick); };
+// All outputs of one run.
+struct Outputs {
+  RunOutputs files;
+  FilmOutput film;
+};
+
+std::function<void(const Tick&)> tick_sink(Outputs& outputs) {
+  if (!outputs.files.wants_ticks() && !outputs.film.wants_ticks()) return {};
+  return [&outputs](const Tick& tick) {
+    outputs.files.take(tick);
+    if (outputs.film.wants_ticks()) outputs.film.take(tick);
+  };
 }
 
 Result<RunOutcome> run_in_real_time(const RunOptions& options, const DeviceChoice& device,
-                                    const Scene& scene, RunOutputs& outputs) {
+                                    const Scene& scene, Outputs& all) {
+  RunOutputs& outputs = all.files;
   const Result<RealtimeOutcome> result =
       run_realtime({.scene = scene,
                     .csv = options.output.csv,
-                    .on_tick = tick_sink(outputs),
+                    .on_tick = tick_sink(all),
                     .device = device.hardware ? make_device(*device.hardware, scene) : nullptr,
                     .arm = options.arm,
                     .allow_no_realtime = options.scene.allow_no_realtime,
@@ -82,12 +95,12 @@ Result<RunOutcome> run_in_real_time(const RunOptions& options, const DeviceChoic
   return RunOutcome{result->summary, result->stopped_early, result->status, result->trouble};
 }
 
-RunOutcome run_headless(const RunOptions& options, const file::LoadedScene& loaded,
-                        RunOutputs& outputs) {
+RunOutcome run_headless(const RunOptions& options, const file::LoadedScene& loaded, Outputs& all) {
+  RunOutputs& outputs = all.files;
   const HeadlessResult result =
       simulate_timed({.scene = loaded.scene,
                       .changes = loaded.changes,
-                      .on_tick = tick_sink(outputs),
+                      .on_tick = tick_sink(all),
                       .signals = options.output.signals,
                       .should_stop = [&] { return outputs.reader_left(); },
                       .progress_label = loaded.scene.name,
@@ -139,6 +152,40 @@ std::string table_of(const Scene& scene, const RunOutcome& outcome) {
   return summary_lines(summary, {outcome.realtime_status, hand_moves});
 }
 
+// The files of a run; the film before the stream, which cannot be undone.
+Result<Outputs> open_outputs(const RunOptions& options, const file::LoadedScene& loaded,
+                             bool on_simulator, bool in_real_time) {
+  file::CsvColumns columns = file::csv_columns(on_simulator, loaded.scene.axes.size());
+  if (options.output.signals) columns.signals = file::signal_columns(loaded.scene, loaded.changes);
+  Result<FilmOutput> film = FilmOutput::open({.scene = options.scene,
+                                              .film = options.film,
+                                              .folder = options.output.frames,
+                                              .in_real_time = in_real_time,
+                                              .on_simulator = on_simulator,
+                                              .show_progress = !options.output.quiet},
+                                             loaded);
+  if (!film) return film.error();
+  Result<RunOutputs> files = RunOutputs::open(options.output, loaded,
+                                              {.session_records = in_real_time,
+                                               .in_real_time = in_real_time,
+                                               .columns = std::move(columns)});
+  if (!files) return files.error();
+  return Outputs{std::move(*files), std::move(*film)};
+}
+
+// Draws the film, then writes the other files. The exit status if all expectations hold.
+Result<int> finish(const RunOutcome& outcome, const Scene& scene, Outputs& outputs) {
+  if (!outcome.trouble) {
+    const Result<bool> drawn = outputs.film.finish();
+    if (!drawn) return drawn.error();
+    if (!*drawn) return ended_early("; the film was not drawn");
+  }
+  const Failure failed = outputs.files.finish(scene, outcome.summary, table_of(scene, outcome));
+  if (outcome.trouble) return *outcome.trouble;
+  if (failed) return *failed;
+  return outputs.files.reader_left() ? kReaderLeft : 0;
+}
+
 Result<int> run(const RunOptions& options) {
   Result<std::vector<Expectation>> expectations = parse_expectations(options.output.expectations);
   if (!expectations) return expectations.error();
@@ -159,13 +206,7 @@ Result<int> run(const RunOptions& options) {
     if (Failure failed = check_realtime(options.scene, *loaded)) return *failed;
     expect_whole_stream(options.output, *expectations);
   }
-  file::CsvColumns columns = file::csv_columns(!device->hardware, loaded->scene.axes.size());
-  if (options.output.signals)
-    columns.signals = file::signal_columns(loaded->scene, loaded->changes);
-  Result<RunOutputs> outputs = RunOutputs::open(options.output, *loaded,
-                                                {.session_records = in_real_time,
-                                                 .in_real_time = in_real_time,
-                                                 .columns = std::move(columns)});
+  Result<Outputs> outputs = open_outputs(options, *loaded, !device->hardware, in_real_time);
   if (!outputs) return outputs.error();
   if (!options.output.quiet) tell_edits(options.scene.scene, *loaded);
   if (!options.output.quiet && !device->hardware) tell_difference(*loaded);
@@ -175,17 +216,15 @@ Result<int> run(const RunOptions& options) {
                                    ? run_in_real_time(options, *device, loaded->scene, *outputs)
                                    : Result(run_headless(options, *loaded, *outputs));
   if (!outcome) return outcome.error();
-  if (in_real_time) outcome->summary.front().lost_stream_samples = outputs->end_stream();
+  if (in_real_time) outcome->summary.front().lost_stream_samples = outputs->files.end_stream();
   const bool interrupted = outcome->stopped_early && !outcome->trouble;
-  if (interrupted && outputs->failure()) return *outputs->failure();
+  if (interrupted && outputs->files.failure()) return *outputs->files.failure();
   if (interrupted && stop_signal() == 0) return kReaderLeft;
   if (interrupted) return end_early(*outcome, loaded->scene, options.output.csv);
-  const Failure failed =
-      outputs->finish(loaded->scene, outcome->summary, table_of(loaded->scene, *outcome));
+  Result<int> finished = finish(*outcome, loaded->scene, *outputs);
   const int status = judge(*expectations, {&outcome->summary, 1});
-  if (outcome->trouble) return *outcome->trouble;
-  if (failed) return *failed;
-  return outputs->reader_left() ? kReaderLeft : status;
+  if (finished && *finished == 0) return status;
+  return finished;
 }
 
 }  // namespace
@@ -208,6 +247,7 @@ Command add_run(CLI::App& program) {
   app->add_option("--wav", options->output.wav,
                   "Write the sound of the run: the handle's acceleration, one channel at 48 kHz")
       ->type_name("FILE.wav");
+  add_film_options(*app, options->output.frames, options->film);
   add_stream_options(*app, options->output.stream);
   add_signals_option(*app, options->output.signals, "--csv, --stream and --plot");
   add_output_options(*app, options->output);

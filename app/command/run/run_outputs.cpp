@@ -29,7 +29,7 @@ Failure check_lengths(const OutputOptions& options, const Scene& scene) {
 // True if no output is of use after the stream's reader has left.
 Result<bool> only_streams(const OutputOptions& options) {
   if (!options.csv.empty() || !options.json.empty() || !options.plot.empty() ||
-      !options.wav.empty() || !options.expectations.empty()) {
+      !options.wav.empty() || !options.frames.empty() || !options.expectations.empty()) {
     return false;
   }
   return options.quiet ? true : is_standard_output(options.stream.path);

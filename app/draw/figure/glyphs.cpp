@@ -62,22 +62,22 @@ void set_colour(cairo_t* page, ImU32 colour) {
   cairo_set_source_rgba(page, part.x, part.y, part.z, part.w);
 }
 
-TextRuns::TextRuns(cairo_t* page) : page_(page) {
+FontFaces::~FontFaces() {
+  for (const auto& [font, face] : faces_) cairo_font_face_destroy(face);
+}
+
+cairo_font_face_t* FontFaces::of(const ImFont& font) {
+  const auto [place, is_new] = faces_.try_emplace(&font, nullptr);
+  if (is_new) place->second = open_font(*font.Sources[0]);
+  return place->second;
+}
+
+TextRuns::TextRuns(cairo_t* page, FontFaces& faces) : page_(page), faces_(faces) {
   auto& fonts = ImGui::GetIO().Fonts->Builder->BakedPool;
   for (int i = 0; i < fonts.Size; ++i) {
     for (const ImFontGlyph& glyph : fonts[i].Glyphs)
       if (glyph.Visible != 0) sources_[{glyph.U0, glyph.V0}] = {&fonts[i], &glyph};
   }
-}
-
-TextRuns::~TextRuns() {
-  for (const auto& [font, face] : faces_) cairo_font_face_destroy(face);
-}
-
-cairo_font_face_t* TextRuns::face_of(const ImFont& font) {
-  const auto [place, is_new] = faces_.try_emplace(&font, nullptr);
-  if (is_new) place->second = open_font(*font.Sources[0]);
-  return place->second;
 }
 
 TextRuns::Place TextRuns::place_of(const Source& source, std::span<const ImDrawVert> quad) {
@@ -110,7 +110,7 @@ bool TextRuns::add(std::span<const ImDrawVert> quad) {
   if (quad.size() != kCorners) return false;
   const auto source = sources_.find({quad[0].uv.x, quad[0].uv.y});
   if (source == sources_.end()) return false;
-  cairo_font_face_t* face = face_of(*source->second.font->OwnerFont);
+  cairo_font_face_t* face = faces_.of(*source->second.font->OwnerFont);
   if (face == nullptr) return false;
   const Place place = place_of(source->second, quad);
   if (!goes_on(place)) flush();
@@ -126,7 +126,7 @@ bool TextRuns::add(std::span<const ImDrawVert> quad) {
 
 void TextRuns::flush() {
   if (glyphs_.empty()) return;
-  cairo_font_face_t* face = face_of(*last_.font->OwnerFont);
+  cairo_font_face_t* face = faces_.of(*last_.font->OwnerFont);
   const double em = em_of(file_of(face), last_.size);
   const glm::dvec2 along = last_.along;
   const cairo_matrix_t matrix{em * along.x, em * along.y, -em * along.y, em * along.x, 0.0, 0.0};

@@ -15,14 +15,26 @@ namespace hapticwall::draw {
 
 void set_colour(cairo_t* page, ImU32 colour);
 
+// The fonts of one context of Dear ImGui as fonts of cairo, for one page or for many.
+class FontFaces {
+ public:
+  FontFaces() = default;
+  FontFaces(const FontFaces&) = delete;
+  FontFaces& operator=(const FontFaces&) = delete;
+  ~FontFaces();
+
+  // nullptr if FreeType cannot read the font.
+  [[nodiscard]] cairo_font_face_t* of(const ImFont& font);
+
+ private:
+  std::map<const ImFont*, cairo_font_face_t*> faces_;
+};
+
 // The glyphs of one line of text in one font, size and colour become one piece of text.
 class TextRuns {
  public:
   // `page` receives the text. Fonts are those of the current context of Dear ImGui.
-  explicit TextRuns(cairo_t* page);
-  TextRuns(const TextRuns&) = delete;
-  TextRuns& operator=(const TextRuns&) = delete;
-  ~TextRuns();
+  TextRuns(cairo_t* page, FontFaces& faces);
 
   // `quad`: from the upper left corner along the line, then down. False if it is no glyph.
   [[nodiscard]] bool add(std::span<const ImDrawVert> quad);
@@ -45,12 +57,11 @@ class TextRuns {
 
   [[nodiscard]] static Place place_of(const Source& source, std::span<const ImDrawVert> quad);
   [[nodiscard]] bool goes_on(const Place& next) const;
-  [[nodiscard]] cairo_font_face_t* face_of(const ImFont& font);
 
   cairo_t* page_;
+  FontFaces& faces_;
   // Sources by the corner of the glyph in the texture.
   std::map<std::pair<float, float>, Source> sources_;
-  std::map<const ImFont*, cairo_font_face_t*> faces_;
   Place last_;
   std::string text_;
   std::vector<cairo_glyph_t> glyphs_;

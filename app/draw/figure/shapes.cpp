@@ -42,7 +42,7 @@ std::optional<Segment> segment_of(std::span<const ImDrawVert> corners) {
 // Draws the shapes of a frame. Segments that follow each other become one line.
 class ShapeWriter {
  public:
-  explicit ShapeWriter(cairo_t* page) : page_(page), text_(page) {
+  ShapeWriter(cairo_t* page, FontFaces& faces) : page_(page), text_(page, faces) {
     cairo_set_line_join(page, CAIRO_LINE_JOIN_ROUND);
   }
 
@@ -143,18 +143,24 @@ void ShapeWriter::flush_line() {
 
 }  // namespace
 
-Result<std::shared_ptr<const file::Shapes>> record_shapes(const ImDrawData& frame) {
-  const cairo_rectangle_t extents{0.0, 0.0, frame.DisplaySize.x, frame.DisplaySize.y};
-  std::shared_ptr<const file::Shapes> shapes = std::make_shared<file::Shapes>(extents);
-  const std::unique_ptr<cairo_t, decltype(&cairo_destroy)> page(cairo_create(shapes->surface),
-                                                                cairo_destroy);
-  ShapeWriter writer(page.get());
+Failure draw_shapes(const ImDrawData& frame, FontFaces& faces, cairo_t* page) {
+  ShapeWriter writer(page, faces);
   for (const ImDrawList* list : frame.CmdLists) {
     for (const ImDrawCmd& command : list->CmdBuffer) {
       if (!writer.draw(*list, command))
         return file_error("the figure has a texture that is no glyph; report this as an error");
     }
   }
+  return {};
+}
+
+Result<std::shared_ptr<const file::Shapes>> record_shapes(const ImDrawData& frame) {
+  const cairo_rectangle_t extents{0.0, 0.0, frame.DisplaySize.x, frame.DisplaySize.y};
+  std::shared_ptr<const file::Shapes> shapes = std::make_shared<file::Shapes>(extents);
+  const std::unique_ptr<cairo_t, decltype(&cairo_destroy)> page(cairo_create(shapes->surface),
+                                                                cairo_destroy);
+  FontFaces faces;
+  if (Failure failed = draw_shapes(frame, faces, page.get())) return *failed;
   return shapes;
 }
 

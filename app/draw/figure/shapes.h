@@ -26,9 +26,14 @@ struct Shapes {
 
 namespace hapticwall::draw {
 
-// Areas, lines with their weights, and text in the embedded fonts. Preconditions: the frame was
-// drawn without anti-aliasing, and its context of Dear ImGui is current. Fails (ErrorKind::kFile)
-// for a texture that is no glyph. Realtime-safe: no.
+class FontFaces;
+
+// Draws areas, lines with their weights, and text in the embedded fonts onto `page`. Preconditions:
+// the frame was drawn without anti-aliasing, and its context of Dear ImGui, to which `faces`
+// belong, is current. Fails (ErrorKind::kFile) for a texture that is no glyph. Realtime-safe: no.
+[[nodiscard]] Failure draw_shapes(const ImDrawData& frame, FontFaces& faces, cairo_t* page);
+
+// draw_shapes() into a recording.
 [[nodiscard]] Result<std::shared_ptr<const file::Shapes>> record_shapes(const ImDrawData& frame);
 
 }  // namespace hapticwall::draw

@@ -23,9 +23,7 @@ constexpr float kTickShare = 0.08F;     // length of an encoder tick, of the str
 constexpr double kClosestCounts = 3.0;  // pixels; closer ones are not drawn
 constexpr double kBarPixels = 110.0;
 constexpr float kWallAlpha = 0.42F;
-constexpr float kTrailWeight = 2.0F;  // pixels
-constexpr float kHandleAlpha = 0.80F;
-constexpr float kSweptAlpha = 0.35F;
+constexpr float kSweptAlpha = 0.34F;
 
 ImU32 packed(const ImVec4& colour, float alpha) {
   return ImGui::ColorConvertFloat4ToU32(with_alpha(colour, alpha));
@@ -108,8 +106,7 @@ void draw_walls(const Brush& brush) {
       brush.list->AddRectFilled(ImVec2(face, strip.trail_from()), ImVec2(end, strip.to.y),
                                 packed(tint, 0.45F * kWallAlpha));
     }
-    const ImVec4 edge = picture.verdict ? brush.theme.colour(*picture.verdict) : own;
-    brush.upright_line(face, strip.from.y, strip.to.y, packed(edge, 1.0F), brush.pixels(1.5F));
+    brush.upright_line(face, strip.from.y, strip.to.y, packed(own, 1.0F), brush.pixels(1.5F));
   }
 }
 
@@ -143,8 +140,8 @@ void draw_counts(const Brush& brush) {
   }
 }
 
-// The handle at the free end of its way since the last frame, its way up to the deepest place as a
-// faint surface, a line at its true position, and the outline of where the walls would hold it.
+// The handle up to its true position, faint up to its deepest place since the last frame, and the
+// outline of where the walls would hold it.
 void draw_handle(const Brush& brush) {
   const WallPicture& picture = *brush.content.picture;
   const Strip& strip = brush.strip;
@@ -152,15 +149,15 @@ void draw_handle(const Brush& brush) {
   const float half = Strip::kHandleHalf * strip.height();
   const float outside = strip.from.x - 2.0F * half;
   const float tip = strip.x_of(picture.handle_m.x);
-  const auto up_to = [&](double position_m, float alpha) {
-    brush.list->AddRectFilled(
-        ImVec2(outside, middle - half), ImVec2(strip.x_of(position_m), middle + half),
-        brush.theme.packed(Tone::kText, alpha), 0.9F * half, ImDrawFlags_RoundCornersRight);
-  };
-  const Reach& reach_m = picture.handle_reach_m;
-  if (reach_m.below.x + reach_m.above.x > 0.0)
-    up_to(picture.handle_m.x + reach_m.above.x, kSweptAlpha);
-  up_to(picture.handle_m.x - reach_m.below.x, kHandleAlpha);
+  const float deepest = strip.x_of(picture.handle_m.x + picture.handle_reach_m.above.x);
+  if (deepest - tip > 0.5F) {
+    brush.list->AddRectFilled(ImVec2(outside, middle - half), ImVec2(deepest, middle + half),
+                              brush.theme.packed(Tone::kText, kSweptAlpha), 0.9F * half,
+                              ImDrawFlags_RoundCornersRight);
+  }
+  brush.list->AddRectFilled(ImVec2(outside, middle - half), ImVec2(tip, middle + half),
+                            brush.theme.packed(Tone::kText, 0.80F), 0.9F * half,
+                            ImDrawFlags_RoundCornersRight);
   brush.upright_line(tip, middle - 1.5F * half, strip.trail_from(), brush.theme.packed(Tone::kText),
                      brush.pixels(1.0F));
   if (const auto proxy_m = proxy_of(picture)) {
@@ -258,6 +255,15 @@ void draw_scale_bar(const Brush& brush) {
              Tone::kText, words);
 }
 
+void draw_strip_notes(const Brush& brush) {
+  const WallPicture& picture = *brush.content.picture;
+  PlotInk ink;
+  draw_true_depth(brush, ink);
+  draw_thing_beyond(brush, ink, "handle", picture.handle_m.x, Tone::kText);
+  if (picture.hand_m) draw_thing_beyond(brush, ink, "hand", picture.hand_m->x, Tone::kHand);
+  draw_face_beyond(brush);
+}
+
 // Draws one quantity against its age, in pieces that fade with age.
 void draw_trail_line(const Strip& strip, const Trace& trace, double newest_s, ImVec4 colour,
                      bool steps, ImDrawList* list) {
@@ -283,8 +289,7 @@ void draw_trail_line(const Strip& strip, const Trace& trace, double newest_s, Im
     }
     const auto faded = static_cast<float>(1.0 - std::min(piece / kPieces, 1.0));
     keep_bends(points);
-    draw_dashed(list, points, packed(colour, kNewestAlpha * faded), kTrailWeight, Dash::kSolid,
-                1.0F);
+    draw_dashed(list, points, packed(colour, kNewestAlpha * faded), 1.5F, Dash::kSolid, 1.0F);
   }
 }
 
@@ -307,35 +312,29 @@ void draw_strip(const Theme& theme, const Strip& strip, const StripContent& cont
   const Brush brush{theme, strip, content, list};
   const WallPicture& picture = *content.picture;
   draw_walls(brush);
-  if (content.measured) draw_counts(brush);
+  draw_counts(brush);
   draw_handle(brush);
-  if (content.measured) draw_measured(brush);
+  if (content.detailed) draw_measured(brush);
   if (picture.hand_m && strip.shows(picture.hand_m->x)) {
     brush.upright_line(strip.x_of(picture.hand_m->x), strip.from.y, strip.to.y,
                        theme.packed(Tone::kHand), 1.5F);
   }
-  PlotInk ink;
-  if (content.measured) {
-    draw_true_depth(brush, ink);
-    draw_thing_beyond(brush, ink, "handle", picture.handle_m.x, Tone::kText);
-    if (picture.hand_m) draw_thing_beyond(brush, ink, "hand", picture.hand_m->x, Tone::kHand);
-  }
-  draw_face_beyond(brush);
   draw_scale_bar(brush);
+  if (content.detailed) draw_strip_notes(brush);
 }
 
-void draw_trail(const Theme& theme, const Strip& strip, const SampleHistory& history, bool measured,
-                Trace& scratch, ImDrawList* list) {
-  const double newest_s = history.newest_time_s();
-  const IndexRange recent = history.range(newest_s - kTrailS, newest_s);
+void draw_trail(const Theme& theme, const Strip& strip, const StripTrail& trail, Trace& scratch,
+                ImDrawList* list) {
+  const SampleHistory& history = trail.history;
+  const IndexRange recent = history.range(trail.newest_s - kTrailS, trail.newest_s);
   if (recent.count() < 2) return;
   const auto rows = static_cast<std::size_t>(std::max(strip.to.y - strip.trail_from(), 1.0F));
-  if (measured) {
-    history.decimate(&Sample::position_m, recent, rows, 1.0, scratch);
-    draw_trail_line(strip, scratch, newest_s, theme.colour(Tone::kPosition), true, list);
-  }
-  history.decimate(&PlantTruth::position_m, recent, rows, 1.0, scratch);
-  draw_trail_line(strip, scratch, newest_s, theme.colour(Tone::kText), false, list);
+  const auto draw = [&](Quantity quantity, Tone tone, bool steps) {
+    history.decimate(quantity, recent, rows, 1.0, scratch);
+    draw_trail_line(strip, scratch, trail.newest_s, theme.colour(tone), steps, list);
+  };
+  if (trail.with_measured) draw(&Sample::position_m, Tone::kPosition, true);
+  draw(&PlantTruth::position_m, Tone::kText, false);
 }
 
 double scale_bar_m(double pixels_per_m, double pixels) {

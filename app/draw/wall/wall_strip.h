@@ -40,17 +40,24 @@ struct StripContent {
   double face_m = 0.0;                   // face of the wall that the numbers refer to
   double measured_m = 0.0;
   std::optional<double> encoder_m;
-  bool measured = true;  // false: without encoder counts, measured position and numbers
+  // False: neither the measured position nor numbers beside the scale bar, for readers from afar.
+  bool detailed = true;
 };
 
 // Walls that give way, encoder counts, handle, proxy, measured position, hand and scale bar.
 void draw_strip(const Theme& theme, const Strip& strip, const StripContent& content,
                 ImDrawList* list);
 
-// True position in the last kTrailS, the newest at the top, fading; `measured`: that of the
-// encoder, too. `scratch` is overwritten.
-void draw_trail(const Theme& theme, const Strip& strip, const SampleHistory& history, bool measured,
-                Trace& scratch, ImDrawList* list);
+struct StripTrail {
+  const SampleHistory& history;
+  double newest_s = 0.0;
+  bool with_measured = true;
+};
+
+// True and measured position in the kTrailS before `newest_s`, the newest at the top, fading.
+// `scratch` is overwritten.
+void draw_trail(const Theme& theme, const Strip& strip, const StripTrail& trail, Trace& scratch,
+                ImDrawList* list);
 
 // A length of 1, 2 or 5 times a power of ten metres that takes up to `pixels`.
 [[nodiscard]] double scale_bar_m(double pixels_per_m, double pixels);

@@ -222,7 +222,7 @@ void draw_contact(const draw::Theme& theme, const draw::PixelBox& box, double sp
       theme, strip,
       {&view.picture, magnified.face_m, view.newest.position_m, view.encoder_m, view.measured},
       list);
-  draw_trail(theme, strip, view.history, view.measured, trail, list);
+  draw_trail(theme, strip, {view.history, view.history.newest_time_s(), view.measured}, trail, list);
   list->PopClipRect();
 }
 
