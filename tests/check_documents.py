@@ -25,6 +25,7 @@ ELSEWHERE = {
     "psychopy": "was tried by hand, with the version and the date on the page",
     "measured": "was tried by hand, with the versions and the date on the page",
     "sources": "builds the program",
+    "ffmpeg": "takes ffmpeg, which is no dependency; docs/pictures/film.webp was made by these lines",
     "root": "needs another user's rights; ./dev test --hid-guest drives the emulator",
     "display": "opens the window; tests/app/ui/page/experiment_test.cpp plays these lists",
     "cluster": "takes 64 machines; tests/app/command/map_test.cpp joins parts of a map",

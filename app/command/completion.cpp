@@ -111,7 +111,7 @@ constexpr std::string_view kBashEnd = R"sh(  esac
     *" $previous "*) options='' words='' ;;
   esac
   case $previous in
-    --algorithm | --algorithms) words=$algorithms ;;
+    --algorithm | --algorithms | --beside) words=$algorithms ;;
   esac
   if [[ $word == -* ]]; then words=$options; fi
   mapfile -t COMPREPLY < <(compgen -W "$words" -- "$word")
@@ -155,7 +155,7 @@ constexpr std::string_view kZshEnd = R"sh(  esac
     compset -P '*='
   fi
   if ((CURRENT == 2)); then offered=("${commands[@]}" "${offered[@]}"); fi
-  if [[ $previous == --algorithm(s|) ]]; then
+  if [[ $previous == --(algorithm(s|)|beside) ]]; then
     _describe algorithm algorithms
     _files
   elif [[ $valued == *" $previous "* ]]; then
@@ -211,7 +211,8 @@ std::string fish_options(const CommandWords& command) {
                                     : "__fish_seen_subcommand_from " + command.name;
   std::string lines;
   for (const OptionWord& option : command.options) {
-    const bool algorithm = option.name == "--algorithm" || option.name == "--algorithms";
+    const bool algorithm =
+        option.name == "--algorithm" || option.name == "--algorithms" || option.name == "--beside";
     const std::string value = algorithm            ? " -r -a \"$algorithms\""
                               : option.takes_value ? " -r"
                                                    : "";

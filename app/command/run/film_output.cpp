@@ -50,7 +50,7 @@ Failure check_beside(const FilmRequest& request, const file::LoadedScene& loaded
   if (!loaded.changes.empty())
     return usage_error("--beside: the parameters of this session change; choose a scene");
   if (loaded.scene.two_axes())
-    return usage_error("--beside: the axes of this scene stand side by side; choose one film");
+    return usage_error("--beside: this scene has two axes, which stand side by side; leave it out");
   return {};
 }
 
@@ -85,10 +85,10 @@ Result<FilmOutput> FilmOutput::open(const FilmRequest& request, const file::Load
     if (!beside) return beside.error();
     output.beside_ = std::move(*beside);
   }
-  Result<file::AtomicFolder> folder = file::AtomicFolder::create(request.folder);
+  // A trial: made again when the other files are written, because a figure may end the program.
+  const Result<file::AtomicFolder> folder = file::AtomicFolder::create(request.folder);
   if (!folder) return folder.error();
-  output.folder_ = std::move(*folder);
-  output.folder_name_ = request.folder;
+  output.folder_ = request.folder;
   output.first_recorded_tick_ = loaded.first_recorded_tick;
   output.show_progress_ = request.show_progress;
   for (std::size_t axis = 0; axis < loaded.scene.axes.size(); ++axis)
@@ -131,7 +131,7 @@ Failure FilmOutput::fit_to_ticks() {
 }
 
 // A picture is encoded while the next one is drawn.
-Result<bool> FilmOutput::draw_pictures() {
+Result<bool> FilmOutput::draw_pictures(file::AtomicFolder& folder) {
   draw::Film film(std::move(runs_), settings_);
   Progress progress("film", show_progress_);
   std::future<Result<std::string>> encoded;
@@ -147,24 +147,23 @@ Result<bool> FilmOutput::draw_pictures() {
     if (!last.valid()) continue;
     const Result<std::string> bytes = last.get();
     if (!bytes) return bytes.error();
-    if (Failure failed = folder_->write(picture_name(i - 1), *bytes)) return *failed;
+    if (Failure failed = folder.write(picture_name(i - 1), *bytes)) return *failed;
     progress.show(static_cast<double>(i) / static_cast<double>(film.count()));
   }
   return true;
 }
 
 Result<bool> FilmOutput::finish() {
-  if (!folder_) return true;
+  if (folder_.empty()) return true;
   Result<bool> done = run_beside();
-  if (done && *done) {
-    if (Failure failed = fit_to_ticks()) return *failed;
-    done = draw_pictures();
-  }
-  if (done && *done) {
-    if (Failure failed = folder_->commit()) return *failed;
-  }
-  folder_.reset();  // removes what is not complete
-  return done;
+  if (!done || !*done) return done;
+  if (Failure failed = fit_to_ticks()) return *failed;
+  Result<file::AtomicFolder> folder = file::AtomicFolder::create(folder_);
+  if (!folder) return folder.error();
+  done = draw_pictures(*folder);
+  if (!done || !*done) return done;
+  if (Failure failed = folder->commit()) return *failed;
+  return true;
 }
 
 }  // namespace hapticwall::command

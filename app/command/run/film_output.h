@@ -26,27 +26,26 @@ struct FilmRequest {
 
 class FilmOutput {
  public:
-  // Makes the folder of the film and checks its options; without a folder, checks that no option
-  // needs one.
+  // Checks the options, and that the folder can be made; without a folder, that no option needs
+  // one.
   [[nodiscard]] static Result<FilmOutput> open(const FilmRequest& request,
                                                const file::LoadedScene& loaded);
 
   // True if take() must be called with every tick.
-  [[nodiscard]] bool wants_ticks() const { return folder_.has_value(); }
+  [[nodiscard]] bool wants_ticks() const { return !folder_.empty(); }
   void take(const Tick& tick);
 
   // Runs the algorithm of --beside, draws all pictures and gives the folder its name; does nothing
-  // without a film. False: a stop signal has ended it, and the folder is gone.
+  // without a film. False: a stop signal has ended it, and nothing is left.
   [[nodiscard]] Result<bool> finish();
 
  private:
   [[nodiscard]] Result<bool> run_beside();
   [[nodiscard]] Failure fit_to_ticks();
-  [[nodiscard]] Result<bool> draw_pictures();
+  [[nodiscard]] Result<bool> draw_pictures(file::AtomicFolder& folder);
 
   draw::FilmSettings settings_;
-  std::optional<file::AtomicFolder> folder_;
-  std::string folder_name_;
+  std::string folder_;               // empty: no film
   std::optional<Scene> beside_;      // the scene with the algorithm of --beside
   std::vector<draw::FilmRun> runs_;  // the axes of the run
   std::uint64_t first_recorded_tick_ = 0;

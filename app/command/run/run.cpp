@@ -173,16 +173,15 @@ Result<Outputs> open_outputs(const RunOptions& options, const file::LoadedScene&
   return Outputs{std::move(*files), std::move(*film)};
 }
 
-// Draws the film, then writes the other files. The exit status if all expectations hold.
+// Writes the files, then draws the film, which takes longer. The exit status if all expectations
+// hold.
 Result<int> finish(const RunOutcome& outcome, const Scene& scene, Outputs& outputs) {
-  if (!outcome.trouble) {
-    const Result<bool> drawn = outputs.film.finish();
-    if (!drawn) return drawn.error();
-    if (!*drawn) return ended_early("; the film was not drawn");
-  }
   const Failure failed = outputs.files.finish(scene, outcome.summary, table_of(scene, outcome));
   if (outcome.trouble) return *outcome.trouble;
+  const Result<bool> drawn = outputs.film.finish();
   if (failed) return *failed;
+  if (!drawn) return drawn.error();
+  if (!*drawn) return ended_early("; the film was not drawn");
   return outputs.files.reader_left() ? kReaderLeft : 0;
 }
 

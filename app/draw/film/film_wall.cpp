@@ -1,9 +1,12 @@
 #include "app/draw/film/film_wall.h"
 
 #include <algorithm>
+#include <cmath>
+#include <string>
 #include <vector>
 
 #include "app/draw/plot/dashes.h"
+#include "core/environment/environment.h"
 
 namespace hapticwall::draw {
 namespace {
@@ -134,6 +137,15 @@ void draw_force(const SideView& side) {
                 kNoteFontSize, Tone::kMuted);
 }
 
+// The name of what the handle touches in the place of walls.
+void draw_environment(const SideView& side) {
+  if (!side.moment.picture.walls.empty()) return;
+  const std::string name(environments()[side.moment.now.scene.environment.index].description.name);
+  const float width = side.pen.width(name, kNoteFontSize, nullptr);
+  side.pen.text({side.box.to.x - width - side.pixels(12.0F), side.box.from.y + side.pixels(10.0F)},
+                name, kNoteFontSize, Tone::kMuted);
+}
+
 }  // namespace
 
 void draw_film_wall(const FilmPen& pen, const PixelBox& box, const FilmMoment& moment) {
@@ -144,6 +156,7 @@ void draw_film_wall(const FilmPen& pen, const PixelBox& box, const FilmMoment& m
   draw_hand(side);
   draw_film_handle(side);
   draw_force(side);
+  draw_environment(side);
   const std::string force = force_detail(moment.tail);
   if (!force.empty()) {
     const ImVec2 place(box.from.x + side.pixels(12.0F), box.to.y - side.pixels(30.0F));

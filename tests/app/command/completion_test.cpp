@@ -101,6 +101,7 @@ TEST_P(CompletionTest, TabOffersAlgorithmsBehindTheirOptionAndFilesBehindOthers)
   for (const AlgorithmDescription& algorithm : algorithms()) expected.emplace(algorithm.name);
   EXPECT_EQ(offered_names("hapticwall run press --algorithm "), expected);
   EXPECT_EQ(offered_names("hapticwall run press --algorithm="), expected);
+  EXPECT_EQ(offered_names("hapticwall run press --beside "), expected);
   EXPECT_THAT(offered("hapticwall run press --algorithm=half"), ElementsAre("half-sample"));
   EXPECT_THAT(offered_names("hapticwall run press --csv "), IsEmpty());
   if (shell() != "bash") EXPECT_EQ(offered("hapticwall run press --csv ").count("page"), 1U);
