@@ -1,8 +1,7 @@
 #include "app/draw/film/film_card.h"
 
-#include "app/draw/film/film_plot.h"
-#include "app/draw/film/film_wall.h"
 #include "app/draw/wall/wall_strip.h"
+#include "app/draw/wall/wall_trail.h"
 #include "app/file/text/verdict.h"
 
 namespace hapticwall::draw {

@@ -1,8 +1,7 @@
-#include "app/draw/film/film_plot.h"
-
 #include <fmt/format.h>
 #include <implot.h>
 
+#include "app/draw/film/film_card.h"
 #include "app/draw/plot/plot_axes.h"
 #include "app/draw/plot/plot_bounds.h"
 #include "core/units.h"

@@ -1,10 +1,9 @@
-#include "app/draw/film/film_wall.h"
-
 #include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
 
+#include "app/draw/film/film_card.h"
 #include "app/draw/plot/dashes.h"
 #include "core/environment/environment.h"
 

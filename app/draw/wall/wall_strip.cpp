@@ -9,7 +9,6 @@
 #include <utility>
 #include <vector>
 
-#include "app/draw/plot/dashes.h"
 #include "app/draw/plot/plot_labels.h"
 #include "core/units.h"
 
@@ -24,6 +23,7 @@ constexpr double kClosestCounts = 3.0;  // pixels; closer ones are not drawn
 constexpr double kBarPixels = 110.0;
 constexpr float kWallAlpha = 0.42F;
 constexpr float kSweptAlpha = 0.34F;
+constexpr float kHandleAlpha = 0.80F;
 
 ImU32 packed(const ImVec4& colour, float alpha) {
   return ImGui::ColorConvertFloat4ToU32(with_alpha(colour, alpha));
@@ -106,7 +106,8 @@ void draw_walls(const Brush& brush) {
       brush.list->AddRectFilled(ImVec2(face, strip.trail_from()), ImVec2(end, strip.to.y),
                                 packed(tint, 0.45F * kWallAlpha));
     }
-    brush.upright_line(face, strip.from.y, strip.to.y, packed(own, 1.0F), brush.pixels(1.5F));
+    const ImVec4 edge = picture.verdict ? brush.theme.colour(*picture.verdict) : own;
+    brush.upright_line(face, strip.from.y, strip.to.y, packed(edge, 1.0F), brush.pixels(1.5F));
   }
 }
 
@@ -140,8 +141,8 @@ void draw_counts(const Brush& brush) {
   }
 }
 
-// The handle up to its true position, faint up to its deepest place since the last frame, and the
-// outline of where the walls would hold it.
+// The handle at the free end of its way since the last frame, its way up to the deepest place as a
+// faint surface, a line at its true position, and the outline of where the walls would hold it.
 void draw_handle(const Brush& brush) {
   const WallPicture& picture = *brush.content.picture;
   const Strip& strip = brush.strip;
@@ -149,15 +150,15 @@ void draw_handle(const Brush& brush) {
   const float half = Strip::kHandleHalf * strip.height();
   const float outside = strip.from.x - 2.0F * half;
   const float tip = strip.x_of(picture.handle_m.x);
-  const float deepest = strip.x_of(picture.handle_m.x + picture.handle_reach_m.above.x);
-  if (deepest - tip > 0.5F) {
-    brush.list->AddRectFilled(ImVec2(outside, middle - half), ImVec2(deepest, middle + half),
-                              brush.theme.packed(Tone::kText, kSweptAlpha), 0.9F * half,
+  const auto up_to = [&](float x, float alpha) {
+    brush.list->AddRectFilled(ImVec2(outside, middle - half), ImVec2(x, middle + half),
+                              brush.theme.packed(Tone::kText, alpha), 0.9F * half,
                               ImDrawFlags_RoundCornersRight);
-  }
-  brush.list->AddRectFilled(ImVec2(outside, middle - half), ImVec2(tip, middle + half),
-                            brush.theme.packed(Tone::kText, 0.80F), 0.9F * half,
-                            ImDrawFlags_RoundCornersRight);
+  };
+  const float free_end = strip.x_of(picture.handle_m.x - picture.handle_reach_m.below.x);
+  const float deepest = strip.x_of(picture.handle_m.x + picture.handle_reach_m.above.x);
+  if (deepest - free_end > 0.5F) up_to(deepest, kSweptAlpha);
+  up_to(free_end, kHandleAlpha);
   brush.upright_line(tip, middle - 1.5F * half, strip.trail_from(), brush.theme.packed(Tone::kText),
                      brush.pixels(1.0F));
   if (const auto proxy_m = proxy_of(picture)) {
@@ -264,35 +265,6 @@ void draw_strip_notes(const Brush& brush) {
   draw_face_beyond(brush);
 }
 
-// Draws one quantity against its age, in pieces that fade with age.
-void draw_trail_line(const Strip& strip, const Trace& trace, double newest_s, ImVec4 colour,
-                     bool steps, ImDrawList* list) {
-  constexpr double kPieces = 10.0;
-  constexpr float kNewestAlpha = 0.95F;
-  const float height = strip.to.y - strip.trail_from();
-  const auto age = [&](std::size_t i) { return (newest_s - trace.time_s[i]) / kTrailS; };
-  const auto level = [&](double share) {
-    return strip.trail_from() + height * static_cast<float>(share);
-  };
-  std::vector<ImVec2> points;
-  std::size_t i = trace.time_s.size();
-  while (i > 1) {
-    const double piece = std::floor(std::max(age(i - 1), 0.0) * kPieces);
-    points.assign(1, ImVec2(strip.x_of(trace.value[i - 1]), level(age(i - 1))));
-    // A piece ends with the first point of the next one, so that there is no gap.
-    while (i > 1) {
-      --i;
-      const float x = strip.x_of(trace.value[i - 1]);
-      if (steps) points.emplace_back(strip.x_of(trace.value[i]), level(age(i - 1)));
-      points.emplace_back(x, level(age(i - 1)));
-      if (age(i - 1) * kPieces >= piece + 1.0) break;
-    }
-    const auto faded = static_cast<float>(1.0 - std::min(piece / kPieces, 1.0));
-    keep_bends(points);
-    draw_dashed(list, points, packed(colour, kNewestAlpha * faded), 1.5F, Dash::kSolid, 1.0F);
-  }
-}
-
 }  // namespace
 
 float Strip::x_of(double position_m) const {
@@ -312,7 +284,7 @@ void draw_strip(const Theme& theme, const Strip& strip, const StripContent& cont
   const Brush brush{theme, strip, content, list};
   const WallPicture& picture = *content.picture;
   draw_walls(brush);
-  draw_counts(brush);
+  if (content.detailed) draw_counts(brush);
   draw_handle(brush);
   if (content.detailed) draw_measured(brush);
   if (picture.hand_m && strip.shows(picture.hand_m->x)) {
@@ -321,20 +293,6 @@ void draw_strip(const Theme& theme, const Strip& strip, const StripContent& cont
   }
   draw_scale_bar(brush);
   if (content.detailed) draw_strip_notes(brush);
-}
-
-void draw_trail(const Theme& theme, const Strip& strip, const StripTrail& trail, Trace& scratch,
-                ImDrawList* list) {
-  const SampleHistory& history = trail.history;
-  const IndexRange recent = history.range(trail.newest_s - kTrailS, trail.newest_s);
-  if (recent.count() < 2) return;
-  const auto rows = static_cast<std::size_t>(std::max(strip.to.y - strip.trail_from(), 1.0F));
-  const auto draw = [&](Quantity quantity, Tone tone, bool steps) {
-    history.decimate(quantity, recent, rows, 1.0, scratch);
-    draw_trail_line(strip, scratch, trail.newest_s, theme.colour(tone), steps, list);
-  };
-  if (trail.with_measured) draw(&Sample::position_m, Tone::kPosition, true);
-  draw(&PlantTruth::position_m, Tone::kText, false);
 }
 
 double scale_bar_m(double pixels_per_m, double pixels) {

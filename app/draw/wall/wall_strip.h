@@ -6,7 +6,6 @@
 #include <optional>
 #include <string>
 
-#include "app/draw/plot/sample_history.h"
 #include "app/draw/plot/theme.h"
 #include "app/draw/wall/wall_picture.h"
 
@@ -33,30 +32,17 @@ struct Strip {
   static constexpr float kTrailShare = 0.50F;
 };
 
-inline constexpr double kTrailS = 0.25;  // length of the handle's trail, shown below it
-
 struct StripContent {
   const WallPicture* picture = nullptr;  // along its x axis
   double face_m = 0.0;                   // face of the wall that the numbers refer to
   double measured_m = 0.0;
   std::optional<double> encoder_m;
-  // False: neither the measured position nor numbers beside the scale bar, for readers from afar.
+  // False: no encoder counts, measured position and numbers, for newcomers and readers from afar.
   bool detailed = true;
 };
 
 // Walls that give way, encoder counts, handle, proxy, measured position, hand and scale bar.
 void draw_strip(const Theme& theme, const Strip& strip, const StripContent& content,
-                ImDrawList* list);
-
-struct StripTrail {
-  const SampleHistory& history;
-  double newest_s = 0.0;
-  bool with_measured = true;
-};
-
-// True and measured position in the kTrailS before `newest_s`, the newest at the top, fading.
-// `scratch` is overwritten.
-void draw_trail(const Theme& theme, const Strip& strip, const StripTrail& trail, Trace& scratch,
                 ImDrawList* list);
 
 // A length of 1, 2 or 5 times a power of ten metres that takes up to `pixels`.

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/draw/wall/wall_strip.h"
+#include "app/draw/wall/wall_trail.h"
 #include "app/ui/panel/verdict_view.h"
 #include "app/ui/wall/wall_state.h"
 #include "app/ui/widget/overflow_row.h"
