@@ -2,7 +2,6 @@
 
 #include "app/draw/wall/wall_strip.h"
 #include "app/draw/wall/wall_trail.h"
-#include "app/file/text/verdict.h"
 
 namespace hapticwall::draw {
 namespace {
@@ -16,10 +15,10 @@ constexpr float kCardContactShare = 0.42F;  // of the width
 void draw_card_head(const FilmPen& pen, ImVec2 corner, const FilmMoment& moment) {
   const auto below = [&](float pixels) { return ImVec2(corner.x, corner.y + pixels * pen.scale); };
   ImFont* strong = pen.theme.fonts.strong;
-  const std::string verdict = file::verdict_text(moment.tail.summary);
+  const VerdictWords words = verdict_words(moment.tail);
   pen.text(corner, moment.now.name, kNameFontSize, Tone::kText, strong);
-  pen.text(below(26.0F), verdict, kVerdictFontSize, moment.tone(), strong);
-  pen.text(below(102.0F), verdict_detail(moment.tail), kDetailFontSize, Tone::kText, strong);
+  pen.text(below(26.0F), words.word, kVerdictFontSize, words.tone, strong);
+  pen.text(below(102.0F), words.numbers, kDetailFontSize, Tone::kText, strong);
 }
 
 void draw_card_contact(const FilmPen& pen, const PixelBox& box, const FilmMoment& moment,

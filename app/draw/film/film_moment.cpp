@@ -97,36 +97,4 @@ FilmMoment moment_of(const FilmRun& run, const FilmScales& scales, double since_
   return moment;
 }
 
-std::string verdict_detail(const Tail& tail) {
-  const Summary& s = tail.summary;
-  const std::string rhythm =
-      tail.frequency_hz ? " at " + fixed(tail.frequency_hz, 1.0, 0) + " Hz" : std::string();
-  const double shown_kn_per_m = s.displayed_stiffness_n_per_m.value_or(0.0) / kNewtonsPerKilonewton;
-  const std::string stiffness = fixed(shown_kn_per_m, 1.0, shown_kn_per_m < 9.95 ? 1 : 0) + " kN/m";
-  switch (s.verdict) {
-    case Verdict::kSettled:
-      return stiffness + " · still";
-    case Verdict::kMoving:
-      return stiffness + " · the hand moves";
-    case Verdict::kActive:
-      return "gives the hand " + fixed(s.given_w, kMilliwattsPerWatt, 0) + " mW";
-    case Verdict::kBuzzing:
-      return "± " + fixed(s.tail_force_std_n, 1.0, 1) + " N" + rhythm;
-    case Verdict::kOscillating:
-      return fixed(s.tail_peak_to_peak_m, kMillimetresPerMetre, 1) + " mm" + rhythm;
-    case Verdict::kNoContact:
-    case Verdict::kDiverged:
-      break;
-  }
-  return {};
-}
-
-std::string force_detail(const Tail& tail) {
-  const Summary& s = tail.summary;
-  if (s.verdict == Verdict::kNoContact || !s.tail_force_mean_n) return {};
-  const std::string mean = fixed(s.tail_force_mean_n, 1.0, 1);
-  if (is_good(s.verdict)) return mean + " N";
-  return mean + " ± " + fixed(s.tail_force_std_n, 1.0, 1) + " N";
-}
-
 }  // namespace hapticwall::draw

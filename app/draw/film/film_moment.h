@@ -9,6 +9,7 @@
 #include "app/draw/plot/plot_trace.h"
 #include "app/draw/plot/sample_history.h"
 #include "app/draw/plot/tail.h"
+#include "app/draw/plot/verdict_words.h"
 #include "app/draw/wall/wall_picture.h"
 #include "core/scene.h"
 
@@ -53,16 +54,11 @@ struct FilmMoment {
   double measured_m = 0.0;  // position of the encoder
   Tail tail;
 
-  [[nodiscard]] Tone tone() const { return verdict_tone(tail.summary.verdict); }
+  [[nodiscard]] Tone tone() const { return tail_tone(tail); }
 };
 
 // The run at `time_s`. The handle's extremes are those after `since_s`.
 [[nodiscard]] FilmMoment moment_of(const FilmRun& run, const FilmScales& scales, double since_s,
                                    double time_s);
-
-// "2.8 mm at 50 Hz", "30 kN/m · still"; empty if there is nothing to tell.
-[[nodiscard]] std::string verdict_detail(const Tail& tail);
-// "4.9 ± 4.4 N" of the last second; empty out of contact.
-[[nodiscard]] std::string force_detail(const Tail& tail);
 
 }  // namespace hapticwall::draw

@@ -156,7 +156,7 @@ void draw_film_wall(const FilmPen& pen, const PixelBox& box, const FilmMoment& m
   draw_film_handle(side);
   draw_force(side);
   draw_environment(side);
-  const std::string force = force_detail(moment.tail);
+  const std::string force = force_words(moment.tail);
   if (!force.empty()) {
     const ImVec2 place(box.from.x + side.pixels(12.0F), box.to.y - side.pixels(30.0F));
     pen.text(place, "pushed back by", kNoteFontSize, Tone::kMuted);

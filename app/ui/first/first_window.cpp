@@ -68,7 +68,7 @@ CardWall other_card(const FirstParts& parts, Slot slot) {
       contact ? draw::ShownStiffness{std::max(*stiffness, 0.0), 1.0} : draw::ShownStiffness{};
   first.other_shown = faded(first.other_shown, now, static_cast<double>(ImGui::GetIO().DeltaTime));
   wall.picture.shown.front() = first.other_shown;
-  wall.picture.verdict = edge_tone(wall.tail);
+  wall.picture.verdict = draw::edge_tone(wall.tail);
   return wall;
 }
 
@@ -119,9 +119,9 @@ std::vector<draw::ShownRun> runs_of(const std::vector<CardWall>& cards) {
   std::vector<draw::ShownRun> runs;
   bool same_tone = true;
   for (const CardWall& card : cards)
-    same_tone = same_tone && tail_tone(card.tail) == tail_tone(cards.front().tail);
+    same_tone = same_tone && draw::tail_tone(card.tail) == draw::tail_tone(cards.front().tail);
   for (const CardWall& card : cards) {
-    runs.push_back({card.history, spoken_name(card.algorithm), tail_tone(card.tail),
+    runs.push_back({card.history, spoken_name(card.algorithm), draw::tail_tone(card.tail),
                     same_tone && !card.leads});
   }
   return runs;

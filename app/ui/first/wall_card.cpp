@@ -47,7 +47,7 @@ void take_click(const FirstParts& parts, const CardWall& wall, const draw::Pixel
 void draw_frame(const PanelContext& context, const CardWall& wall, const draw::PixelBox& box) {
   const float scale = ImGui::GetStyle().FontScaleMain;
   fill_panel(context.theme, box);
-  const draw::Tone edge = wall.leads ? tail_tone(wall.tail) : draw::Tone::kFaint;
+  const draw::Tone edge = wall.leads ? draw::tail_tone(wall.tail) : draw::Tone::kFaint;
   ImGui::GetWindowDrawList()->AddRect(box.from, box.to, context.theme.packed(edge),
                                       kCornerRadius * scale, 0,
                                       (wall.leads ? kLeadingEdge : 1.0F) * scale);
@@ -130,7 +130,7 @@ void draw_wall_card(const FirstParts& parts, WallRenderer& renderer, const CardW
                               ImVec2(box.to.x - padding.x, box.to.y - padding.y)};
   draw_name(context, wall, inside);
   ImGui::SetCursorScreenPos(ImVec2(inside.from.x, inside.from.y + ImGui::GetTextLineHeight()));
-  draw_verdict_words(context.theme, verdict_words(wall.tail), kVerdictSize);
+  draw_verdict_words(context.theme, draw::verdict_words(wall.tail), kVerdictSize);
   const float scale = ImGui::GetStyle().FontScaleMain;
   const float top = inside.from.y + ImGui::GetTextLineHeight() + 1.3F * kVerdictSize * scale;
   const float bottom = inside.to.y - 1.7F * ImGui::GetTextLineHeight();

@@ -223,7 +223,8 @@ void draw_contact(const draw::Theme& theme, const draw::PixelBox& box, double sp
       theme, strip,
       {&view.picture, magnified.face_m, view.newest.position_m, view.encoder_m, view.measured},
       list);
-  draw_trail(theme, strip, {view.history, view.history.newest_time_s(), view.measured}, trail, list);
+  draw_trail(theme, strip, {view.history, view.history.newest_time_s(), view.measured}, trail,
+             list);
   list->PopClipRect();
 }
 
@@ -240,7 +241,7 @@ void draw_magnifier(const PanelContext& context, const draw::SampleHistory& hist
   const std::size_t axis = shown_index(context);
   picture.shown.front() = state.shown.at(axis);
   sweep(picture, Axis::kX, state.swept.at(axis));
-  picture.verdict = edge_tone(context.tails.at(axis));
+  picture.verdict = draw::edge_tone(context.tails.at(axis));
   draw_heading(context, true);
   const draw::PixelBox box = strip_box();
   const double unmagnified_m =

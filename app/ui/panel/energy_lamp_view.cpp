@@ -133,7 +133,7 @@ LampWords lamp_words(const EnergyStory& story) {
 
 draw::Tone lamp_tone(const EnergyStory& story, const draw::Tail& tail) {
   const bool wrong = tail.summary.verdict != Verdict::kNoContact && !is_good(tail.summary.verdict);
-  return story.state == EnergyState::kActive && wrong ? tail_tone(tail) : draw::Tone::kMuted;
+  return story.state == EnergyState::kActive && wrong ? draw::tail_tone(tail) : draw::Tone::kMuted;
 }
 
 std::string plain_sentence(const EnergyStory& story) {

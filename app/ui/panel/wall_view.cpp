@@ -204,7 +204,7 @@ WallPicture shown_picture(const PanelContext& context) {
     const double most_n = std::max(swept.force_n.maximum, -swept.force_n.minimum);
     picture.saturated = picture.saturated || most_n >= force_limit_n(context, axis);
   }
-  if (!context.identify.experiment) picture.verdict = edge_tone(context.tails.front());
+  if (!context.identify.experiment) picture.verdict = draw::edge_tone(context.tails.front());
   return picture;
 }
 

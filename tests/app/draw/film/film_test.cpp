@@ -182,32 +182,5 @@ TEST(FilmMoment, HasTheSceneOfItsTick) {
   EXPECT_EQ(after.picture.walls.front().stiffness_n_per_m, 100.0);
 }
 
-TEST(FilmWords, TellTheVerdictInTheUnitsOfTheField) {
-  Tail tail;
-  tail.summary.tail_peak_to_peak_m = 2.83e-3;
-  tail.summary.tail_force_mean_n = 4.94;
-  tail.summary.tail_force_std_n = 4.39;
-  tail.summary.displayed_stiffness_n_per_m = 30120.0;
-  tail.summary.verdict = Verdict::kOscillating;
-  EXPECT_EQ(verdict_detail(tail), "2.8 mm");
-  tail.frequency_hz = 49.98;
-  EXPECT_EQ(verdict_detail(tail), "2.8 mm at 50 Hz");
-  EXPECT_EQ(force_detail(tail), "4.9 ± 4.4 N");
-  tail.summary.verdict = Verdict::kBuzzing;
-  EXPECT_EQ(verdict_detail(tail), "± 4.4 N at 50 Hz");
-  tail.summary.verdict = Verdict::kSettled;
-  EXPECT_EQ(verdict_detail(tail), "30 kN/m · still");
-  EXPECT_EQ(force_detail(tail), "4.9 N");
-  tail.summary.displayed_stiffness_n_per_m = 1904.0;
-  tail.summary.verdict = Verdict::kMoving;
-  EXPECT_EQ(verdict_detail(tail), "1.9 kN/m · the hand moves");
-  tail.summary.verdict = Verdict::kActive;
-  tail.summary.given_w = 0.0124;
-  EXPECT_EQ(verdict_detail(tail), "gives the hand 12 mW");
-  tail.summary.verdict = Verdict::kNoContact;
-  EXPECT_EQ(verdict_detail(tail), "");
-  EXPECT_EQ(force_detail(tail), "");
-}
-
 }  // namespace
 }  // namespace hapticwall::draw

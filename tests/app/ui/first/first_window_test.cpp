@@ -47,8 +47,8 @@ TEST_F(FirstWindowTest, OneWallShakesAndTheOtherIsStill) {
   EXPECT_THAT(shown, HasSubstr("30 kN/m"));
   EXPECT_THAT(shown, HasSubstr("The hold has fed the hand"));
   EXPECT_THAT(shown, Not(HasSubstr("Eq."))) << "newcomers know no equations";
-  EXPECT_EQ(ui::tail_tone(state().tails.front()), draw::Tone::kBad);
-  EXPECT_EQ(ui::tail_tone(other().tail()), draw::Tone::kGood);
+  EXPECT_EQ(draw::tail_tone(state().tails.front()), draw::Tone::kBad);
+  EXPECT_EQ(draw::tail_tone(other().tail()), draw::Tone::kGood);
   EXPECT_NEAR(state().time.to_s - state().time.from_s, 0.2, 1e-9) << "ten periods";
 }
 
@@ -71,7 +71,7 @@ TEST_F(FirstWindowTest, AClickOnTheOtherWallMakesItTheSession) {
   EXPECT_EQ(algorithm_of(other().scene()), "none");
   EXPECT_TRUE(sees("lead A"));
   EXPECT_FALSE(sees("lead B"));
-  EXPECT_EQ(ui::tail_tone(other().tail()), draw::Tone::kBad);
+  EXPECT_EQ(draw::tail_tone(other().tail()), draw::Tone::kBad);
 }
 
 TEST_F(FirstWindowTest, ADragInThePictureLeadsBothHands) {

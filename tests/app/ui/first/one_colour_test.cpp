@@ -33,8 +33,8 @@ class OneColourTest : public GuiTest {
   }
 
   void expect_one_colour() {
-    const Tone verdict = ui::tail_tone(tail());
-    EXPECT_EQ(ui::verdict_words(tail()).tone, verdict);
+    const Tone verdict = draw::tail_tone(tail());
+    EXPECT_EQ(draw::verdict_words(tail()).tone, verdict);
     EXPECT_EQ(edge().value_or(Tone::kMuted), verdict);
     const bool alarms = verdict == Tone::kWarning || verdict == Tone::kBad;
     // The lamp speaks where energy was extracted, and then as the verdict does.
@@ -59,7 +59,7 @@ TEST_F(OneColourTest, At20MomentsOfEveryBuiltInScene) {
         fake_->advance(std::min(ticks, 500));
         frames(1);
         expect_one_colour();
-        (ui::tail_tone(tail()) == Tone::kBad ? alarms : calm) += 1;
+        (draw::tail_tone(tail()) == Tone::kBad ? alarms : calm) += 1;
       }
     }
   }
@@ -69,7 +69,7 @@ TEST_F(OneColourTest, At20MomentsOfEveryBuiltInScene) {
 
 TEST_F(OneColourTest, FreeMotionRaisesNoAlarm) {
   live(500);  // the hand has not reached the wall
-  EXPECT_EQ(ui::tail_tone(tail()), Tone::kMuted);
+  EXPECT_EQ(draw::tail_tone(tail()), Tone::kMuted);
   EXPECT_EQ(edge(), std::nullopt);
   EXPECT_EQ(lamp(), Tone::kMuted);
   EXPECT_THAT(text(), ::testing::Not(::testing::HasSubstr("extracted")));
@@ -78,7 +78,7 @@ TEST_F(OneColourTest, FreeMotionRaisesNoAlarm) {
 TEST_F(OneColourTest, AnExperimentOfIdentifyRaisesNoAlarm) {
   press(ImGuiKey_1);
   live(3000);
-  EXPECT_EQ(ui::tail_tone(tail()), Tone::kBad);
+  EXPECT_EQ(draw::tail_tone(tail()), Tone::kBad);
   EXPECT_THAT(text(), ::testing::HasSubstr("oscillating"));
   state().identify.experiment =
       std::make_shared<session::IdentifyExperiment>(identify::ExperimentSettings{});
