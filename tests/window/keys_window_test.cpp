@@ -161,6 +161,8 @@ std::vector<KeyRow> key_rows() {
       key_flips("dark or light",
                 [](Person& p) { return static_cast<double>(p.state().appearance.look); }),
       {"next layout of the windows", next_layout},
+      key_flips("state of the loop",
+                [](Person& p) { return p.state().window.status_shown ? 1.0 : 0.0; }),
       {"everything larger", [](Person& p, const Act& press) { scale(p, press, 1); }},
       {"everything smaller", [](Person& p, const Act& press) { scale(p, press, -1); }},
       {"scale of the screen", scale_as_screen},

@@ -104,6 +104,8 @@ TEST_F(RecordingWindowTest, EndsWithTheSceneAndNeverReplacesAFile) {
       start(person);
       person.wait_until([&] { return person.recording().rows > 10; }, "rows");
       person.put_everything_away();
+      person.state().plots.persisted.arrangement = ui::PlotArrangement::kFigure4;
+      person.wait_a_frame();
       person.click("Figure 6");
       person.wait_until([&] { return person.recording().state == session::RecordingState::kIdle; },
                         "the end of the recording");

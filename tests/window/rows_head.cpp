@@ -145,6 +145,27 @@ void use_sound(Person& person) {
   EXPECT_FALSE(sound.on);
 }
 
+// The window as it opens, and back.
+void use_less_and_more(Person& person) {
+  person.click("less");
+  EXPECT_FALSE(person.state().window.more);
+  person.wait_until([&] { return person.sees("lead B") || person.sees("lead A"); }, "two walls");
+  const std::string other = person.sees("lead B") ? "lead B" : "lead A";
+  const std::size_t algorithm = person.scene().algorithm.index;
+  person.click(other);
+  person.wait_until([&] { return person.scene().algorithm.index != algorithm; }, "the other wall");
+  person.click("more");
+  EXPECT_TRUE(person.state().window.more);
+}
+
+void open_and_close_the_status(Person& person) {
+  const bool before = person.state().window.status_shown;
+  person.click("status");
+  EXPECT_NE(person.state().window.status_shown, before);
+  person.click("status");
+  EXPECT_EQ(person.state().window.status_shown, before);
+}
+
 void take_the_tour(Person& person) {
   const std::size_t& step = person.state().tour.step;
   person.click("help");
@@ -239,6 +260,8 @@ Table toolbar_rows() {
           does("record", record_and_stop),
           {"slow motion", use_slow_motion},
           {"sound", use_sound},
+          {"less", use_less_and_more},
+          {"status", open_and_close_the_status},
           flips(
               "repeat scene",
               [](Person& person) { return person.state().scene.repeats ? 1.0 : 0.0; }, open_more),

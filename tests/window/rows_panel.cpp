@@ -48,11 +48,17 @@ void open_recent(Person& person) {
   open_scene(person, "press");
 }
 
+// The buttons stand in the layouts of the paper's figures.
 Row figure(const char* label, const char* algorithm) {
-  return sets(label, chosen_algorithm, static_cast<double>(*find_algorithm(algorithm)));
+  return sets(label, chosen_algorithm, static_cast<double>(*find_algorithm(algorithm)),
+              [](Person& person) {
+                person.state().plots.persisted.arrangement = ui::PlotArrangement::kFigure4;
+                person.wait_a_frame();
+              });
 }
 
 void go_back_to_scene(Person& person) {
+  person.state().plots.persisted.arrangement = ui::PlotArrangement::kAll;
   const double before = person.scene().x().walls.front().stiffness_n_per_m;
   person.type("stiffness", "1234");
   EXPECT_EQ(person.scene().x().walls.front().stiffness_n_per_m, 1234.0);

@@ -85,13 +85,16 @@ void drop_onto(GLFWwindow* window, std::span<const std::string> paths) {
 }  // namespace
 
 Home::Home() {
-  const nlohmann::json settings{{"window",
-                                 {{"width", kWidth},
-                                  {"height", kHeight},
-                                  {"more", true},
-                                  {"tour_offered", false},
-                                  {"docked", kDocked}}},
-                                {"plots", {{"arrangement", "all"}}}};
+  const nlohmann::json settings{
+      {"window",
+       {{"width", kWidth},
+        {"height", kHeight},
+        {"more", true},
+        {"tour_offered", false},
+        {"docked", kDocked}}},
+      {"compare", {{"open", true}}},
+      {"plots",
+       {{"arrangement", "all"}, {"encoder_counts", true}, {"time_window_follows", false}}}};
   EXPECT_FALSE(file::make_folder_of(settings_path()));
   EXPECT_FALSE(file::write_file(settings_path(), settings.dump()));
 }
@@ -145,6 +148,8 @@ void WindowTest::use(const Script& script) {
   hooks.painted_of = kPaintedOf;
   hooks.opened = [&](ui::Application& application) {
     window = glfwGetCurrentContext();
+    application.state().window.status_shown = true;
+    application.state().sound.available = true;
     engine = std::make_unique<Engine>(
         application, script, log_,
         [window](std::span<const std::string> paths) { drop_onto(window, paths); });

@@ -15,19 +15,9 @@ using compare::Slot;
 
 constexpr float kNameAtEms = 1.6F;  // start of the name, behind the slot's letter
 
-// Switch beside the heading: shows the other slot's contact in the plots.
+// Shows the other slot's contact in the plots.
 void draw_ghost_switch(const PanelContext& context) {
-  bool& shown = context.compare.persisted.ghost_shown;
-  ImGui::PushFont(nullptr, draw::kSmallFontSize);
-  const ImGuiStyle& style = ImGui::GetStyle();
-  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
-                      ImVec2(style.FramePadding.x, 0.25F * style.FramePadding.y));
-  const float width =
-      ImGui::GetFrameHeight() + style.ItemInnerSpacing.x + ImGui::CalcTextSize("ghost").x;
-  ImGui::SameLine(ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x - width);
-  ImGui::Checkbox("ghost", &shown);
-  ImGui::PopStyleVar();
-  ImGui::PopFont();
+  ImGui::Checkbox("ghost", &context.compare.persisted.ghost_shown);
   explain("Draws the other slot's newest contact over the present one in the plots.");
 }
 
@@ -90,9 +80,9 @@ void draw_compare_section(const PanelContext& context) {
   ImGui::SetNextItemOpen(open);
   open = folding_section(context, "Compare", summary);
   if (!open) return;
-  draw_ghost_switch(context);
   draw_slot(context, Slot::kA);
   draw_slot(context, Slot::kB);
+  draw_ghost_switch(context);
 }
 
 }  // namespace hapticwall::ui

@@ -210,6 +210,13 @@ class GuiTest : public FolderTest {
 
   void click(const std::string& item) { click_at(rect(item).centre()); }
 
+  // A button of the paper's figures, which stand in the layouts of these figures.
+  void click_figure(const std::string& label) {
+    state().plots.persisted.arrangement = ui::PlotArrangement::kFigure4;
+    frames(2);
+    click(label);
+  }
+
   // Scrolls the area under an item to its end.
   void scroll_down_at(const std::string& item) { wheel_at(rect(item).centre(), -100.0F); }
 

@@ -131,7 +131,7 @@ TEST_F(EnergyLampStripTest, StaysInsideANarrowWindow) {
 TEST_F(EnergyLampStripTest, StartsAnewWithASessionAndAnotherEncoder) {
   run_scene("press", "none");
   ASSERT_EQ(story().state, EnergyState::kActive);
-  click("Figure 6");
+  click_figure("Figure 6");
   EXPECT_EQ(story().state, EnergyState::kPassive);
   live(3000);
   Scene finer = scene();

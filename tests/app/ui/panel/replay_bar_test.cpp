@@ -196,9 +196,7 @@ TEST_F(ReplayBarTest, TheWayBackLeadsToTheSceneWithItsChangedValues) {
 
 TEST_F(ReplayBarTest, AnotherSceneIsStartedFromAReplay) {
   drop("trial.csv");
-  state().plots.persisted.arrangement = ui::PlotArrangement::kFigure4;
-  frames(2);
-  click("Figure 4");
+  click_figure("Figure 4");
   EXPECT_FALSE(replaying());
   EXPECT_EQ(scene().name, "press");
   EXPECT_EQ(sessions, 2);

@@ -175,9 +175,7 @@ TEST_F(UndoTest, ARateTakesItsSessionBackAndAnotherSceneToo) {
   EXPECT_EQ(sessions, 3);
   EXPECT_EQ(scene().sampling.rate_hz, 1000.0);
   type("stiffness", "20000");
-  state().plots.persisted.arrangement = ui::PlotArrangement::kFigure4;
-  frames(2);
-  click("Figure 5");
+  click_figure("Figure 5");
   EXPECT_FALSE(sees("reset to scene"));
   EXPECT_EQ(stiffness(), 35000.0);
   press(ImGuiMod_Ctrl | ImGuiKey_Z);

@@ -145,9 +145,7 @@ TEST_F(ApplicationTest, TheFigureButtonsStartPressFromRestUnderThePapersAlgorith
         Case{"Figure 6", "energy-bounding", "plot Stiffness", "plot Passivity"}}) {
     live(300);
     const int before = sessions;
-    state().plots.persisted.arrangement = ui::PlotArrangement::kFigure4;
-    frames(2);
-    click(figure.button);
+    click_figure(figure.button);
     EXPECT_EQ(sessions, before + 1);
     EXPECT_EQ(scene().name, "press");
     EXPECT_EQ(algorithm(), figure.algorithm);

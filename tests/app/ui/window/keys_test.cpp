@@ -212,10 +212,12 @@ TEST_F(KeysTest, TheArrowsReachTheControls) {
   const std::set<std::string> disabled{
       "undo", "redo", "step", "automatic axes", "sampling.render_every", "sampling.lost_ticks"};
   const std::set<std::string> for_the_pointer{"wall view", "magnifier", "status"};
+  // The walk folds their section by ←.
+  const std::set<std::string> folded{"slot A", "slot B", "take B", "ghost"};
   for (const auto& [name, item] : usual) {
     const bool pointed = name.starts_with("legend ") || name.ends_with("-slider") ||
                          name.starts_with("gap ") || for_the_pointer.contains(name);
-    if (item.id == 0 || pointed || disabled.contains(name)) continue;
+    if (item.id == 0 || pointed || disabled.contains(name) || folded.contains(name)) continue;
     EXPECT_TRUE(arrows.reached(item.id)) << name;
   }
   EXPECT_EQ(fake_->steps, 0) << "the arrows navigate";
