@@ -4,31 +4,87 @@
 #include <png.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <cstring>
+#include <string_view>
 
 #include "app/file/disk/atomic_file.h"
 
 namespace hapticwall::file {
 
-Picture beside(const Picture& left, const Picture& right) {
-  constexpr std::size_t kBytesPerPixel = 4;
+namespace {
+
+constexpr std::size_t kBytesPerPixel = 4;
+
+// Puts `part` into `whole`, which has room for it, with this upper left corner.
+void put(Picture& whole, const Picture& part, int left, int top) {
+  for (const PlacedShapes& each : part.shapes)
+    whole.shapes.push_back({each.shapes, left + each.left, top + each.top});
+  if (whole.rgba.empty()) return;
+  const std::size_t length = static_cast<std::size_t>(part.width) * kBytesPerPixel;
+  for (int y = 0; y < part.height; ++y) {
+    const auto from = static_cast<std::ptrdiff_t>(static_cast<std::size_t>(y) * length);
+    const std::size_t to =
+        static_cast<std::size_t>(top + y) * static_cast<std::size_t>(whole.width) +
+        static_cast<std::size_t>(left);
+    std::copy_n(part.rgba.begin() + from, length,
+                whole.rgba.begin() + static_cast<std::ptrdiff_t>(to * kBytesPerPixel));
+  }
+}
+
+// `second` at (left, top) of a page of this size.
+Picture joined(const Picture& first, const Picture& second, int left, int top) {
   constexpr std::uint8_t kWhite = 255;
-  Picture both{left.width + right.width, std::max(left.height, right.height), {}, left.shapes};
-  for (const PlacedShapes& part : right.shapes)
-    both.shapes.push_back({part.shapes, left.width + part.left});
-  if (!both.shapes.empty()) return both;
-  const std::size_t row = static_cast<std::size_t>(both.width) * kBytesPerPixel;
-  both.rgba.assign(row * static_cast<std::size_t>(both.height), kWhite);
-  const auto copy = [&](const Picture& from, std::size_t offset) {
-    const std::size_t length = static_cast<std::size_t>(from.width) * kBytesPerPixel;
-    for (std::size_t y = 0; y < static_cast<std::size_t>(from.height); ++y) {
-      std::copy_n(from.rgba.begin() + static_cast<std::ptrdiff_t>(y * length), length,
-                  both.rgba.begin() + static_cast<std::ptrdiff_t>(y * row + offset));
-    }
-  };
-  copy(left, 0);
-  copy(right, static_cast<std::size_t>(left.width) * kBytesPerPixel);
+  Picture both;
+  both.width = std::max(first.width, left + second.width);
+  both.height = std::max(first.height, top + second.height);
+  both.pixels_per_metre = first.pixels_per_metre;
+  if (first.shapes.empty()) {
+    both.rgba.assign(static_cast<std::size_t>(both.width) * static_cast<std::size_t>(both.height) *
+                         kBytesPerPixel,
+                     kWhite);
+  }
+  put(both, first, 0, 0);
+  put(both, second, left, top);
   return both;
+}
+
+// A number of a PNG, the highest byte first.
+std::string png_number(std::uint32_t value) {
+  std::string bytes;
+  for (const unsigned shift : {24U, 16U, 8U, 0U})
+    bytes.push_back(static_cast<char>(value >> shift & 0xFFU));
+  return bytes;
+}
+
+// A chunk of a PNG: length, type, content and CRC (PNG specification, third edition, 5.3).
+std::string png_chunk(std::string_view type, std::string_view content) {
+  std::uint32_t crc = 0xFFFFFFFFU;
+  const std::string checked = std::string(type).append(content);
+  for (const char each : checked) {
+    crc ^= static_cast<unsigned char>(each);
+    for (int bit = 0; bit < 8; ++bit) crc = (crc >> 1U) ^ ((crc & 1U) != 0U ? 0xEDB88320U : 0U);
+  }
+  return png_number(static_cast<std::uint32_t>(content.size())) + checked + png_number(~crc);
+}
+
+// The chunk pHYs: the printed size of a pixel. It stands behind the header.
+void add_resolution(std::string& png, int pixels_per_metre) {
+  constexpr std::size_t kSignatureAndHeader = 8 + 25;
+  constexpr char kPerMetre = 1;
+  const std::string side = png_number(static_cast<std::uint32_t>(pixels_per_metre));
+  const std::string content = side + side + kPerMetre;
+  png.insert(kSignatureAndHeader, png_chunk("pHYs", content));
+}
+
+}  // namespace
+
+Picture beside(const Picture& left, const Picture& right) {
+  return joined(left, right, left.width, 0);
+}
+
+Picture below(const Picture& upper, const Picture& lower) {
+  return joined(upper, lower, 0, upper.height);
 }
 
 Result<std::string> encode_png(const Picture& picture) {
@@ -52,6 +108,7 @@ Result<std::string> encode_png(const Picture& picture) {
         fmt::format("the picture cannot be encoded: {}", std::string_view(image.message)));
   }
   bytes.resize(size);
+  if (picture.pixels_per_metre > 0) add_resolution(bytes, picture.pixels_per_metre);
   return bytes;
 }
 
