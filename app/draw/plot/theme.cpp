@@ -22,18 +22,20 @@ constexpr Colours colours_of(const std::array<unsigned, kToneCount>& rgb) {
 
 // Colours in the order of Tone. Signals have the hues of Okabe and Ito, Color Universal Design
 // (2008), which the colour-blind tell apart; lighter or darker where the background asks for it.
+// Text, good, warning and bad also differ in lightness
+// (tests/app/draw/plot/verdict_colours_test.cpp).
 constexpr Colours kScreenColours =
-    colours_of({0xDCE3EA, 0x8E9AA8, 0x2C343F, 0x12161B, 0x191E25, 0x4FB6C9, 0x6CC08B, 0xE9B45A,
+    colours_of({0xDCE3EA, 0x8E9AA8, 0x2C343F, 0x12161B, 0x191E25, 0x4FB6C9, 0x6CC08B, 0xF1C064,
                 0xF0716B, 0x56B4E9, 0xD98CB8, 0x5FBFA8, 0xE69F00, 0x5C6B7E, 0x22B88A, 0x56B4E9,
                 0xE8702A, 0x22B88A, 0xDCE3EA});
 // Colours for light rooms: the same hues, dark enough to be read on white.
 constexpr Colours kLightColours =
-    colours_of({0x1B222A, 0x56616D, 0xDDE2E8, 0xF2F4F7, 0xFFFFFF, 0x0B6E86, 0x1E7A45, 0x8F5A00,
-                0xB3261E, 0x0072B2, 0x9E4A78, 0x007A68, 0x8F5C00, 0x7E8B9A, 0x007A5A, 0x0072B2,
+    colours_of({0x1B222A, 0x56616D, 0xDDE2E8, 0xF2F4F7, 0xFFFFFF, 0x0B6E86, 0x0C4B2A, 0x9A6000,
+                0xAA1A12, 0x0072B2, 0x9E4A78, 0x007A68, 0x8F5C00, 0x7E8B9A, 0x007A5A, 0x0072B2,
                 0xC65200, 0x007A5A, 0x1B222A});
 constexpr Colours kPrintColours =
-    colours_of({0x1A1D21, 0x4A525C, 0xC9CFD6, 0xFFFFFF, 0xFFFFFF, 0x0072B2, 0x2E7D4F, 0xB36B00,
-                0xC0392B, 0x0072B2, 0xA85584, 0x00835F, 0xA86B00, 0x8F9BA9, 0x007F5F, 0x0072B2,
+    colours_of({0x1A1D21, 0x4A525C, 0xC9CFD6, 0xFFFFFF, 0xFFFFFF, 0x0072B2, 0x0C4B2A, 0xA06600,
+                0xAA1A12, 0x0072B2, 0xA85584, 0x00835F, 0xA86B00, 0x8F9BA9, 0x007F5F, 0x0072B2,
                 0xD55E00, 0x007F5F, 0x1A1D21});
 
 ImFont* load_font(std::string_view name) {
@@ -142,6 +144,10 @@ void set_plot_style(const Theme& theme, float scale) {
   style.MajorTickLen = {4.0F * scale, 4.0F * scale};
   style.MinorTickLen = {0.0F, 0.0F};
   style.MinorAlpha = 0.55F;
+  // 0.3 pt on paper; a line of one dot would vanish in a print.
+  if (!theme.prints()) return;
+  style.PlotBorderSize = 0.5F * scale;
+  style.MajorGridSize = {0.5F * scale, 0.5F * scale};
 }
 
 }  // namespace
@@ -224,12 +230,14 @@ Theme apply_theme(Look look, float scale) {
   Theme theme;
   theme.fonts.text = load_font("Inter-Regular.otf");
   theme.fonts.strong = load_font("Inter-SemiBold.otf");
-  theme.fonts.digits = load_font("JetBrainsMono-Regular.ttf");
+  theme.fonts.digits =
+      look == Look::kPrint ? theme.fonts.text : load_font("JetBrainsMono-Regular.ttf");
   restyle(theme, look, scale);
   return theme;
 }
 
 void restyle(Theme& theme, Look look, float scale) {
+  theme.look = look;
   theme.colours = theme_colours(look);
   ImGui::GetStyle() = ImGuiStyle();
   set_colours(theme, look);

@@ -18,13 +18,15 @@ enum class Look : std::uint8_t { kScreen, kPrint, kLight };
 struct Fonts {
   ImFont* text = nullptr;
   ImFont* strong = nullptr;
-  ImFont* digits = nullptr;  // font of digits with constant width
+  ImFont* digits = nullptr;  // font of digits with constant width; in print that of the text
 };
 
 struct Theme {
   std::array<ImVec4, kToneCount> colours{};
   Fonts fonts;
+  Look look = Look::kScreen;
 
+  [[nodiscard]] bool prints() const { return look == Look::kPrint; }
   [[nodiscard]] const ImVec4& colour(Tone tone) const {
     return colours[static_cast<std::size_t>(tone)];
   }

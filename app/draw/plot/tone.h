@@ -33,8 +33,9 @@ enum class Tone : std::uint8_t {
 };
 inline constexpr std::size_t kToneCount = 19;
 
+// The grades are told apart by lightness, too.
 [[nodiscard]] constexpr Tone verdict_tone(Verdict verdict) {
-  constexpr std::array kTones{Tone::kGood, Tone::kMuted, Tone::kWarning, Tone::kBad};
+  constexpr std::array kTones{Tone::kGood, Tone::kText, Tone::kWarning, Tone::kBad};
   return kTones.at(static_cast<std::size_t>(file::grade_of(verdict)));
 }
 

@@ -9,52 +9,27 @@
 
 #include "app/draw/plot/plot_lines.h"
 #include "app/draw/plot/theme.h"
+#include "tests/app/draw/plot/colorimetry.h"
 
 namespace hapticwall::draw {
 namespace {
 
-using Vector = std::array<double, 3>;
-using Matrix = std::array<Vector, 3>;
+using test::lab;
+using test::linear;
+using test::Matrix;
+using test::product;
+using test::Vector;
 
 // Machado, Oliveira, Fernandes: A Physiologically-based Model for Simulation of Color Vision
 // Deficiency, IEEE TVCG 15 (2009), deuteranomaly of severity 1.0; of linear RGB.
 constexpr Matrix kDeuteranopia{{{0.367322, 0.860646, -0.227968},
                                 {0.280085, 0.672501, 0.047413},
                                 {-0.011820, 0.042940, 0.968881}}};
-// IEC 61966-2-1 (sRGB), to CIE XYZ relative to the white D65.
-constexpr Matrix kXyz{{{0.4124564, 0.3575761, 0.1804375},
-                       {0.2126729, 0.7151522, 0.0721750},
-                       {0.0193339, 0.1191920, 0.9503041}}};
-constexpr Vector kWhite{0.95047, 1.0, 1.08883};
-
-Vector product(const Matrix& matrix, const Vector& v) {
-  Vector result{};
-  for (std::size_t i = 0; i < 3; ++i)
-    result[i] = matrix[i][0] * v[0] + matrix[i][1] * v[1] + matrix[i][2] * v[2];
-  return result;
-}
-
-Vector linear(const ImVec4& colour) {
-  Vector v{static_cast<double>(colour.x), static_cast<double>(colour.y),
-           static_cast<double>(colour.z)};
-  for (double& c : v) c = c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
-  return v;
-}
 
 Vector as_seen(const ImVec4& colour) {
   Vector v = product(kDeuteranopia, linear(colour));
   for (double& c : v) c = std::clamp(c, 0.0, 1.0);
   return v;
-}
-
-// CIE 1976 L*a*b*.
-Vector lab(const Vector& rgb) {
-  Vector f = product(kXyz, rgb);
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double t = f[i] / kWhite[i];
-    f[i] = t > 216.0 / 24389.0 ? std::cbrt(t) : (24389.0 / 27.0 * t + 16.0) / 116.0;
-  }
-  return {116.0 * f[1] - 16.0, 500.0 * (f[0] - f[1]), 200.0 * (f[1] - f[2])};
 }
 
 // ΔE of 1976: 2.3 is just noticeable.
