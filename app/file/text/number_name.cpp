@@ -47,8 +47,8 @@ constexpr std::array kEntries{
     Entry{"duration_s", "duration", ""}};
 
 // Units at the end of a key. A longer ending comes before one that it ends with.
-constexpr std::array<std::string_view, 13> kEndings{
-    "_n_s_per_m", "_m_per_s", "_s_per_m", "_n_per_m", "_n_per_s", "_ticks", "_kg",
+constexpr std::array<std::string_view, 12> kEndings{
+    "_n_s_per_m", "_m_per_s", "_s_per_m", "_n_per_m", "_n_per_s", "_kg",
     "_hz",        "_s",       "_m",       "_n",       "_j",       "_w"};
 
 // "wall[2].KEY" as "wall.KEY" and its number, "device.y.KEY" as "device.KEY" and "y".
