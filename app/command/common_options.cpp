@@ -158,6 +158,12 @@ void add_csv_option(CLI::App& app, OutputOptions& options, const std::string& de
 void add_plot_option(CLI::App& app, OutputOptions& options, const std::string& description) {
   app.add_option("--plot", options.plot, description + "; .png, .svg or .pdf; needs no display")
       ->type_name("FILE");
+  app.add_option("--width", options.width,
+                 fmt::format("Printed width of --plot: single ({:g} mm), double ({:g} mm, the "
+                             "default) or millimetres, {:g} to {:g}",
+                             draw::kSingleWidthMm, draw::kDoubleWidthMm, draw::kMinWidthMm,
+                             draw::kMaxWidthMm))
+      ->type_name("MM");
 }
 
 void add_signals_option(CLI::App& app, bool& signals, const std::string& outputs) {
@@ -314,6 +320,10 @@ Failure check_outputs(const OutputOptions& options, std::vector<std::string> rea
                                      files[j].first, file::in_quotes(path)));
     }
   }
+  if (!options.width.empty() && options.plot.empty())
+    return usage_error("--width: it needs --plot FILE");
+  if (const Result<double> width_mm = figure_width_mm(options.width); !width_mm)
+    return width_mm.error();
   return check_endings(options);
 }
 

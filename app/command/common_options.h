@@ -49,7 +49,7 @@ void add_environment_option(CLI::App& app, SceneOptions& options);
 [[nodiscard]] Failure check_plugin(const SceneOptions& options);
 // The required SCENE of a command, and --duration.
 void add_headless_options(CLI::App& app, SceneOptions& options);
-// --csv and --plot. The description of --csv says what a line is.
+// --csv; --plot with --width. The description of --csv says what a line is.
 void add_csv_option(CLI::App& app, OutputOptions& options, const std::string& description);
 void add_plot_option(CLI::App& app, OutputOptions& options, const std::string& description);
 // --stream and --stream-every.

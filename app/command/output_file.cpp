@@ -28,13 +28,25 @@ std::FILE* open_stream(const file::OutputPlace& place) {
 }
 
 // Draws and encodes; the thread may outlive the wait.
-Result<std::string> encoded(const DrawResult& draw, const std::string& path) {
-  const Result<file::Picture> figure = draw(draw::ink_of(path));
+Result<std::string> encoded(const DrawResult& draw, const std::string& path, double width_mm) {
+  const Result<file::Picture> figure = draw({width_mm, draw::ink_of(path)});
   if (!figure) return figure.error();
   return draw::encode_figure(*figure, path);
 }
 
 }  // namespace
+
+Result<double> figure_width_mm(const std::string& width) {
+  if (width.empty() || width == "double") return draw::kDoubleWidthMm;
+  if (width == "single") return draw::kSingleWidthMm;
+  const std::optional<double> width_mm = file::parsed<double>(width);
+  if (width_mm && *width_mm >= draw::kMinWidthMm && *width_mm <= draw::kMaxWidthMm)
+    return *width_mm;
+  return usage_error(fmt::format(
+      "--width {}: it takes single ({:g} mm), double ({:g} mm) or {:g} to {:g}, in millimetres",
+      file::in_quotes(width), draw::kSingleWidthMm, draw::kDoubleWidthMm, draw::kMinWidthMm,
+      draw::kMaxWidthMm));
+}
 
 Result<bool> is_standard_output(const std::string& path) {
   if (path == kStandardOutput) return true;
@@ -80,6 +92,9 @@ Result<OutputFiles> OutputFiles::open(const OutputOptions& options) {
   if (Failure failed = files.plot_.open(options.plot)) return *failed;
   if (Failure failed = files.scene_.open(options.scene_file)) return *failed;
   files.plot_path_ = options.plot;
+  const Result<double> width_mm = figure_width_mm(options.width);
+  if (!width_mm) return width_mm.error();
+  files.plot_width_mm_ = *width_mm;
   return files;
 }
 
@@ -91,7 +106,8 @@ Failure OutputFiles::leave_standard_output() {
 
 Failure OutputFiles::write_figure(const DrawResult& draw) {
   constexpr std::chrono::milliseconds kPollInterval{10};
-  std::packaged_task<Result<std::string>()> task([&] { return encoded(draw, plot_path_); });
+  std::packaged_task<Result<std::string>()> task(
+      [&] { return encoded(draw, plot_path_, plot_width_mm_); });
   std::future<Result<std::string>> drawn = task.get_future();
   std::thread painter(std::move(task));
   while (drawn.wait_for(kPollInterval) != std::future_status::ready) {

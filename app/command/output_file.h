@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "app/draw/figure/figure.h"
+#include "app/draw/figure/paper.h"
 #include "app/file/disk/atomic_file.h"
 #include "app/file/picture.h"
 #include "core/result.h"
@@ -31,6 +31,7 @@ struct OutputOptions {
   std::string csv;
   std::string json;
   std::string plot;
+  std::string width;  // of --plot: millimetres, "single" or "double"; "": the default
   std::string wav;
   std::string frames;  // the folder of a film
   StreamChoice stream;
@@ -73,7 +74,10 @@ struct ResultTexts {
   std::string scene = {};
 };
 
-using DrawResult = std::function<Result<file::Picture>(draw::Ink ink)>;
+using DrawResult = std::function<Result<file::Picture>(const draw::Paper& paper)>;
+
+// The width of --width in millimetres.
+[[nodiscard]] Result<double> figure_width_mm(const std::string& width);
 
 // The files of --csv, --json, --plot and --scene-file. They get their names when the command has
 // succeeded.
@@ -97,6 +101,7 @@ class OutputFiles {
   OutputFile plot_;
   OutputFile scene_;
   std::string plot_path_;  // its ending chooses the format
+  double plot_width_mm_ = draw::kDoubleWidthMm;
   bool prints_json_ = false;
   bool quiet_ = false;
 };

@@ -134,14 +134,13 @@ Failure write_results(OutputFiles& files, const Scene& scene, const Runs& runs,
   for (const std::size_t i : order) rows.push_back(runs.summaries[i]);
   return files.write(
       {summaries_csv(runs.summaries), summaries_json(runs.summaries), comparison_table(rows)},
-      [&](draw::Ink ink) {
+      [&](const draw::Paper& paper) {
         std::vector<draw::ComparedRun> compared;
         compared.reserve(order.size());
         for (const std::size_t i : order) {
           compared.push_back({runs.summaries[i].front(), runs.histories[i]});
         }
-        return draw::draw_comparison(scene, compared,
-                                     draw::comparison_size(compared.size()).in(ink));
+        return draw::draw_comparison(scene, compared, paper);
       });
 }
 

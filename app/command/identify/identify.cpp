@@ -117,8 +117,8 @@ bool ask_to_let_go(const identify::ExperimentSettings& experiment, bool waits) {
 Result<int> report(const IdentifyOptions& options, const table::IdentifiedBy& by,
                    const identify::Identification& found, const identify::Record& record,
                    OutputFiles& files, OutputFile& device_file, file::DeviceDescription device) {
-  const auto draw = [&](draw::Ink ink) {
-    return draw::draw_identification(record, found, draw::kIdentificationSize.in(ink));
+  const auto draw = [&](const draw::Paper& paper) {
+    return draw::draw_identification(record, found, paper);
   };
   if (Failure failed = files.write(
           {"", table::identify_json(by, found), table::identify_text(by, found)}, draw)) {

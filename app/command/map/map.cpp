@@ -109,7 +109,7 @@ class CellRunner {
 Failure write_map(OutputFiles& files, const StabilityMap& map, const file::MapPart& part,
                   const std::vector<MapMetrics>& cells) {
   return files.write({"", map_json(map, part.begin, cells), map_table(map, part.begin, cells)},
-                     [&](draw::Ink ink) { return draw::draw_map(map, cells, {.ink = ink}); });
+                     [&](const draw::Paper& paper) { return draw::draw_map(map, cells, paper); });
 }
 
 // --read: the cells come from a file.

@@ -37,7 +37,7 @@ Failure read_number(std::string_view option, const std::string& text, double min
                                  file::in_quotes(text), minimum, maximum));
 }
 
-Failure read_size(const std::string& text, draw::FigureSize& size) {
+Failure read_size(const std::string& text, draw::PictureSize& size) {
   if (text.empty()) return {};
   const std::vector<std::string_view> sides = file::split(text, 'x');
   const auto side = [&](std::size_t i) {

@@ -109,16 +109,22 @@ void RunOutputs::finish_recording(const file::LoadedScene& loaded, std::uint64_t
   failure_ = recording_->finish(loaded.scene, file::headless_metadata(loaded, ticks, summary));
 }
 
-// The axes side by side, x on the left.
-Result<file::Picture> RunOutputs::draw(const Scene& scene, draw::Ink ink) const {
+// The axes side by side, x on the left; or one below the other, on narrow paper.
+Result<file::Picture> RunOutputs::draw(const Scene& scene, const draw::Paper& paper) const {
   file::Picture all;
+  const double beside_mm = paper.width_mm / static_cast<double>(scene.axes.size());
+  const bool stacked = beside_mm < draw::kMinWidthMm;
+  const draw::Paper each{stacked ? paper.width_mm : beside_mm, paper.ink};
   for (std::size_t i = 0; i < scene.axes.size(); ++i) {
-    Scene axis = axis_scene(scene, i);
-    if (i > 0) axis.name += ", axis y";
+    const Scene axis = axis_scene(scene, i);
     Result<file::Picture> picture =
-        draw::draw_figure(axis, samples_.at(i), {.ink = ink}, file::signal_names(columns_));
+        draw::draw_figure(axis, samples_.at(i), each, file::signal_names(columns_), i);
     if (!picture) return picture;
-    all = i == 0 ? std::move(*picture) : file::beside(all, *picture);
+    if (i == 0) {
+      all = std::move(*picture);
+    } else {
+      all = stacked ? file::below(all, *picture) : file::beside(all, *picture);
+    }
   }
   return all;
 }
@@ -140,7 +146,7 @@ std::optional<std::uint64_t> RunOutputs::end_stream() {
 Failure RunOutputs::finish(const Scene& scene, const RunSummary& summary, std::string table) {
   static_cast<void>(end_stream());
   Failure failed = files_.write({"", summary_json(summary), std::move(table)},
-                                [&](draw::Ink ink) { return draw(scene, ink); });
+                                [&](const draw::Paper& paper) { return draw(scene, paper); });
   Failure unheard = write_sound();
   if (!failed) failed = std::move(unheard);
   return failure_ ? failure_ : failed;

@@ -64,7 +64,7 @@ class RunOutputs {
   [[nodiscard]] Failure finish(const Scene& scene, const RunSummary& summary, std::string table);
 
  private:
-  [[nodiscard]] Result<file::Picture> draw(const Scene& scene, draw::Ink ink) const;
+  [[nodiscard]] Result<file::Picture> draw(const Scene& scene, const draw::Paper& paper) const;
   [[nodiscard]] Failure open_stream(const OutputOptions& options, const TickOrigin& origin);
   [[nodiscard]] Failure write_sound();
 

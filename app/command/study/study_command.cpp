@@ -56,11 +56,9 @@ Result<int> run_study(const study::Study& study, std::string_view command, std::
   const auto outcome =
       compute(*run, fmt::format("{} of {}", study.name, loaded->scene.name), output.quiet);
   if (!outcome) return ended_early();
-  return status_of(
-      files->write({outcome->csv, outcome->json, table::sheet_text(outcome->sheet), outcome->scene},
-                   [&](draw::Ink ink) {
-                     return draw::draw_log_page(*outcome->figure, draw::kLogFigureSize.in(ink));
-                   }));
+  return status_of(files->write(
+      {outcome->csv, outcome->json, table::sheet_text(outcome->sheet), outcome->scene},
+      [&](const draw::Paper& paper) { return draw::draw_log_page(*outcome->figure, paper); }));
 }
 
 Command add_study(CLI::App& program, const study::Study& study) {

@@ -1,11 +1,11 @@
 // The figure of a run, drawn without a display and OpenGL: position, force, stiffness, passivity.
 #pragma once
 
-#include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "app/draw/figure/paper.h"
 #include "app/draw/plot/phase_plot.h"
 #include "app/draw/plot/plot.h"
 #include "app/draw/plot/sample_history.h"
@@ -16,24 +16,14 @@
 
 namespace hapticwall::draw {
 
-// Shapes are for vector files.
-enum class Ink : std::uint8_t { kPixels, kShapes };
-
-struct FigureSize {
-  int width = 1600;
-  int height = 1200;
-  Ink ink = Ink::kPixels;
-
-  [[nodiscard]] constexpr FigureSize in(Ink other) const { return {width, height, other}; }
-};
-
-// Draws a figure with these signals of algorithms. Fails (ErrorKind::kFile) without memory for the
-// pixels.
+// Draws a figure with these signals of algorithms. `axis`: 1 for axis y, which `scene` has in the
+// place of x. Fails like draw_page().
 [[nodiscard]] Result<file::Picture> draw_figure(const Scene& scene, std::span<const Sample> samples,
-                                                FigureSize size = {},
-                                                const SignalNames& signals = {});
+                                                const Paper& paper = {},
+                                                const SignalNames& signals = {},
+                                                std::size_t axis = 0);
 
-// The values of the scene in one line, for the readers of a figure.
+// The values of the scene in one text without line ends, for the readers of a figure.
 [[nodiscard]] std::string describe(const Scene& scene);
 
 // The part of a history that a figure shows, and how.
@@ -46,10 +36,11 @@ struct FigureView {
   std::vector<BoundLine> bounds;  // bounds in the stiffness plot
   std::vector<ExtraTrace> extra_traces;
   PlotMarks marks;
+  std::size_t axis = 0;
   PhaseSettings phase;  // a shown plane stands beside the plots
 };
 
 [[nodiscard]] Result<file::Picture> draw_figure(const Scene& scene, const SampleHistory& history,
-                                                const FigureView& view, FigureSize size = {});
+                                                const FigureView& view, const Paper& paper = {});
 
 }  // namespace hapticwall::draw

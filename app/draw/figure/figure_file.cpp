@@ -13,7 +13,7 @@
 namespace hapticwall::draw {
 namespace {
 
-constexpr double kPointsPerPixel = 0.5;
+constexpr double kPointsPerPixel = points_of_pixels(1.0);
 
 std::string ending_of(const std::string& path) {
   std::string ending = std::filesystem::path(path).extension();
@@ -42,8 +42,11 @@ Result<std::string> encode_shapes(const file::Picture& figure, bool pdf) {
   const std::unique_ptr<cairo_t, decltype(&cairo_destroy)> pen(cairo_create(page.get()),
                                                                cairo_destroy);
   cairo_scale(pen.get(), kPointsPerPixel, kPointsPerPixel);
+  // Beside a part that is smaller than the page.
+  cairo_set_source_rgb(pen.get(), 1.0, 1.0, 1.0);
+  if (figure.shapes.size() > 1) cairo_paint(pen.get());
   for (const file::PlacedShapes& part : figure.shapes) {
-    cairo_set_source_surface(pen.get(), part.shapes->surface, part.left, 0.0);
+    cairo_set_source_surface(pen.get(), part.shapes->surface, part.left, part.top);
     cairo_paint(pen.get());
   }
   cairo_surface_finish(page.get());

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <utility>
 
 namespace hapticwall::draw {
 namespace {
@@ -72,7 +73,8 @@ cairo_font_face_t* FontFaces::of(const ImFont& font) {
   return place->second;
 }
 
-TextRuns::TextRuns(cairo_t* page, FontFaces& faces) : page_(page), faces_(faces) {
+TextRuns::TextRuns(cairo_t* page, FontFaces& faces, std::vector<file::DrawnText>* texts)
+    : page_(page), faces_(faces), texts_(texts) {
   auto& fonts = ImGui::GetIO().Fonts->Builder->BakedPool;
   for (int i = 0; i < fonts.Size; ++i) {
     for (const ImFontGlyph& glyph : fonts[i].Glyphs)
@@ -97,13 +99,21 @@ TextRuns::Place TextRuns::place_of(const Source& source, std::span<const ImDrawV
 
 // True if `next` is on the same line, at most one blank apart.
 bool TextRuns::goes_on(const Place& next) const {
-  constexpr float kClose = 0.5F;  // pixels
+  constexpr float kClose = 0.5F;     // pixels
+  constexpr float kSameWay = 1e-3F;  // radians
+  constexpr float kBlank = 0.5F;     // sizes, at most
   const glm::vec2 way = next.pen - last_.pen;
-  const float gap = glm::dot(way, last_.along) - last_.advance;
   const float fall = way.y * last_.along.x - way.x * last_.along.y;
-  return next.font == last_.font && next.colour == last_.colour && next.along == last_.along &&
+  const float gap = gap_before(next);
+  return next.font == last_.font && next.colour == last_.colour &&
+         glm::distance(next.along, last_.along) < kSameWay &&
          std::abs(next.size - last_.size) < kClose && std::abs(fall) < kClose && gap > -kClose &&
-         gap < kClose * last_.size;
+         gap < kBlank * last_.size;
+}
+
+// From the end of the last glyph to `next`, in pixels.
+float TextRuns::gap_before(const Place& next) const {
+  return glm::dot(next.pen - last_.pen, last_.along) - last_.advance;
 }
 
 bool TextRuns::add(std::span<const ImDrawVert> quad) {
@@ -114,14 +124,28 @@ bool TextRuns::add(std::span<const ImDrawVert> quad) {
   if (face == nullptr) return false;
   const Place place = place_of(source->second, quad);
   if (!goes_on(place)) flush();
+  constexpr float kMinBlank = 0.12F;  // sizes; a blank is no quad
+  if (!words_.empty() && gap_before(place) > kMinBlank * last_.size) words_ += ' ';
   last_ = place;
   const unsigned character = source->second.glyph->Codepoint;
   std::array<char, 5> bytes{};
   const int length = ImTextCharToUtf8(bytes.data(), character);
   text_.append(bytes.data(), static_cast<std::size_t>(length));
+  words_.append(bytes.data(), static_cast<std::size_t>(length));
   clusters_.push_back({length, 1});
   glyphs_.push_back({FT_Get_Char_Index(file_of(face).face(), character), place.pen.x, place.pen.y});
   return true;
+}
+
+// Notes the run that flush() has drawn.
+void TextRuns::note(double em) {
+  if (texts_ == nullptr) return words_.clear();
+  cairo_text_extents_t ink;
+  cairo_glyph_extents(page_, glyphs_.data(), static_cast<int>(glyphs_.size()), &ink);
+  const cairo_rectangle_t box{glyphs_.front().x + ink.x_bearing, glyphs_.front().y + ink.y_bearing,
+                              ink.width, ink.height};
+  texts_->push_back({std::move(words_), em, box, clip_});
+  words_.clear();
 }
 
 void TextRuns::flush() {
@@ -136,6 +160,7 @@ void TextRuns::flush() {
   cairo_show_text_glyphs(page_, text_.data(), static_cast<int>(text_.size()), glyphs_.data(),
                          static_cast<int>(glyphs_.size()), clusters_.data(),
                          static_cast<int>(clusters_.size()), {});
+  note(em);
   text_.clear();
   glyphs_.clear();
   clusters_.clear();

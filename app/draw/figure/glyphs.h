@@ -11,6 +11,8 @@
 #include <utility>
 #include <vector>
 
+#include "app/draw/figure/shapes.h"
+
 namespace hapticwall::draw {
 
 void set_colour(cairo_t* page, ImU32 colour);
@@ -33,12 +35,15 @@ class FontFaces {
 // The glyphs of one line of text in one font, size and colour become one piece of text.
 class TextRuns {
  public:
-  // `page` receives the text. Fonts are those of the current context of Dear ImGui.
-  TextRuns(cairo_t* page, FontFaces& faces);
+  // `page` and, unless null, `texts` receive the text. Fonts are those of the current context of
+  // Dear ImGui, to which `faces` belong.
+  TextRuns(cairo_t* page, FontFaces& faces, std::vector<file::DrawnText>* texts);
 
   // `quad`: from the upper left corner along the line, then down. False if it is no glyph.
   [[nodiscard]] bool add(std::span<const ImDrawVert> quad);
   void flush();
+  // The clip of the following text, for `texts`. Precondition: flush() was called.
+  void clip(const cairo_rectangle_t& clip) { clip_ = clip; }
 
  private:
   struct Source {
@@ -57,13 +62,18 @@ class TextRuns {
 
   [[nodiscard]] static Place place_of(const Source& source, std::span<const ImDrawVert> quad);
   [[nodiscard]] bool goes_on(const Place& next) const;
+  [[nodiscard]] float gap_before(const Place& next) const;
+  void note(double em);
 
   cairo_t* page_;
   FontFaces& faces_;
+  std::vector<file::DrawnText>* texts_;
+  cairo_rectangle_t clip_{};
   // Sources by the corner of the glyph in the texture.
   std::map<std::pair<float, float>, Source> sources_;
   Place last_;
-  std::string text_;
+  std::string text_;   // without the blanks, which are no glyphs
+  std::string words_;  // with blanks
   std::vector<cairo_glyph_t> glyphs_;
   std::vector<cairo_text_cluster_t> clusters_;
 };

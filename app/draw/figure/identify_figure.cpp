@@ -1,21 +1,21 @@
 #include "app/draw/figure/identify_figure.h"
 
 #include <fmt/format.h>
-#include <implot.h>
+#include <imgui.h>
 
 #include <algorithm>
-#include <limits>
+#include <cmath>
 #include <utility>
 
+#include "app/draw/axis/symbol_text.h"
 #include "app/draw/figure/page.h"
 #include "core/units.h"
 
 namespace hapticwall::draw {
 namespace {
 
-constexpr float kIdentifyDesignWidth = 1200.0F;  // px, at figure scale 1
-constexpr float kIdentifyDesignHeight = 900.0F;
 constexpr double kShownS = 4.0;
+constexpr double kIdentifyPanelMm = 38.0;  // height of a panel
 
 double at_s(const identify::Record& record, std::size_t tick) {
   return static_cast<double>(tick) * record.period_s;
@@ -29,38 +29,6 @@ FigureCurve curve_of(const identify::Record& record, const std::vector<double>& 
     curve.y.push_back(values[i] * scale);
   }
   return curve;
-}
-
-// The range of all curves, with room.
-std::pair<double, double> range_of(const FigurePanel& panel,
-                                   std::vector<double> FigureCurve::*values, double room) {
-  double low = std::numeric_limits<double>::infinity();
-  double high = -low;
-  for (const FigureCurve& curve : panel.curves) {
-    for (const double value : curve.*values) {
-      low = std::min(low, value);
-      high = std::max(high, value);
-    }
-  }
-  const double margin = room * (high - low);
-  return {low - margin, high + margin};
-}
-
-void draw_panel(const Theme& theme, const FigurePanel& panel, ImVec2 size) {
-  const std::string id = "##" + panel.title;
-  if (!ImPlot::BeginPlot(id.c_str(), size, ImPlotFlags_NoInputs | ImPlotFlags_NoTitle)) return;
-  constexpr double kPanelRoom = 0.1;
-  ImPlot::SetupAxes("time, s", panel.title.c_str());
-  const auto [begin, end] = range_of(panel, &FigureCurve::x, 0.0);
-  const auto [low, high] = range_of(panel, &FigureCurve::y, kPanelRoom);
-  ImPlot::SetupAxesLimits(begin, end, low, high, ImPlotCond_Always);
-  for (const FigureCurve& curve : panel.curves) {
-    ImPlotSpec spec;
-    spec.LineColor = theme.colour(curve.tone);
-    ImPlot::PlotLine(curve.name.c_str(), curve.x.data(), curve.y.data(),
-                     static_cast<int>(curve.x.size()), spec);
-  }
-  ImPlot::EndPlot();
 }
 
 std::string numbers(const identify::Identification& found) {
@@ -83,25 +51,59 @@ std::vector<FigurePanel> identification_panels(const identify::Record& record,
   const std::size_t count = record.position_m.size();
   const std::size_t first = count - std::min(shown, count);
   FigureCurve model{"model", Tone::kForce, {}, {}};
-  FigureCurve residual{"position - model", Tone::kText, {}, {}};
+  std::vector<double> residual_s;
+  std::vector<double> residual_counts;
   const std::vector<identify::SegmentNormal> normals = identify::linearise(record, found.fit);
   for (std::size_t s = 0; s < normals.size(); ++s) {
     for (Eigen::Index i = 0; i < normals[s].residual_m.size(); ++i) {
       const std::size_t tick = found.fit.segments[s].first + static_cast<std::size_t>(i);
       const double residual_m = normals[s].residual_m[i];
-      residual.x.push_back(at_s(record, tick));
-      residual.y.push_back(residual_m / record.encoder_m);
+      residual_s.push_back(at_s(record, tick));
+      residual_counts.push_back(residual_m / record.encoder_m);
       if (tick < first) continue;
       model.x.push_back(at_s(record, tick));
       model.y.push_back((record.position_m[tick] - residual_m) * kMillimetresPerMetre);
     }
   }
-  return {{"position, mm",
-           {curve_of(record, record.position_m, first, kMillimetresPerMetre, "measured",
-                     Tone::kPosition),
-            std::move(model)}},
-          {"force, N", {curve_of(record, record.force_n, first, 1.0, "commanded", Tone::kForce)}},
-          {"residual, encoder counts", {std::move(residual)}}};
+  return {
+      {"position x (mm)",
+       {curve_of(record, record.position_m, first, kMillimetresPerMetre, "measured",
+                 Tone::kPosition),
+        std::move(model)}},
+      {"force F (N)", {curve_of(record, record.force_n, first, 1.0, "commanded", Tone::kForce)}},
+      {"residual (counts)", {}, spread_of(residual_s, residual_counts)}};
+}
+
+Spread spread_of(const std::vector<double>& x, const std::vector<double>& y) {
+  constexpr std::size_t kParts = 120;
+  constexpr std::size_t kBins = 41;
+  constexpr double kTail = 0.05;
+  Spread spread;
+  if (y.empty()) return spread;
+  const std::size_t each = std::max<std::size_t>(y.size() / kParts, 1);
+  for (std::size_t first = 0; first < y.size(); first += each) {
+    const std::size_t end = std::min(first + each, y.size());
+    std::vector<double> part(y.begin() + static_cast<std::ptrdiff_t>(first),
+                             y.begin() + static_cast<std::ptrdiff_t>(end));
+    std::ranges::sort(part);
+    const auto at = [&](double share) {
+      return part[static_cast<std::size_t>(
+          std::lround(share * static_cast<double>(part.size() - 1)))];
+    };
+    spread.parts.push_back({x[first], {part.front(), at(kTail), at(1.0 - kTail), part.back()}});
+  }
+  spread.parts.push_back({x.back(), spread.parts.back().values});
+  const auto [low, high] = std::ranges::minmax(y);
+  const double width = std::max(high - low, 1e-12) / static_cast<double>(kBins);
+  for (std::size_t i = 0; i < kBins; ++i) {
+    const double from = low + static_cast<double>(i) * width;
+    spread.bins.push_back({from, from + width, 0.0});
+  }
+  for (const double value : y) {
+    const auto bin = std::min(static_cast<std::size_t>((value - low) / width), kBins - 1);
+    spread.bins[bin].share += 1.0 / static_cast<double>(y.size());
+  }
+  return spread;
 }
 
 FigureCurve thinned(FigureCurve curve, std::size_t columns) {
@@ -122,25 +124,19 @@ FigureCurve thinned(FigureCurve curve, std::size_t columns) {
   return thin;
 }
 
-void draw_panels(const Theme& theme, std::span<const FigurePanel> panels, ImVec2 size) {
-  const auto count = static_cast<float>(panels.size());
-  const float gaps = (count - 1.0F) * ImGui::GetStyle().ItemSpacing.y;
-  for (const FigurePanel& panel : panels) {
-    draw_panel(theme, panel, ImVec2(size.x, (size.y - gaps) / count));
-  }
-}
-
 Result<file::Picture> draw_identification(const identify::Record& record,
-                                          const identify::Identification& found, FigureSize size) {
-  const float scale = std::min(static_cast<float>(size.width) / kIdentifyDesignWidth,
-                               static_cast<float>(size.height) / kIdentifyDesignHeight);
+                                          const identify::Identification& found,
+                                          const Paper& paper) {
   const std::vector<FigurePanel> panels = identification_panels(record, found);
-  return draw_page(size, scale, [&](const Theme& theme) {
+  return draw_page(paper, [&](const Theme& theme) {
     strong_text(theme, "identification", kTitleFontSize);
-    ImGui::SameLine();
-    ImGui::TextDisabled("  %s", numbers(found).c_str());
+    {
+      const FontScope font(nullptr, kSmallFontSize);
+      wrapped_symbol_text(theme.packed(Tone::kMuted), numbers(found));
+    }
     ImGui::Spacing();
-    draw_panels(theme, panels, ImGui::GetContentRegionAvail());
+    const float height = static_cast<float>(panels.size()) * pixels_of_mm(kIdentifyPanelMm);
+    draw_panels(theme, panels, {ImGui::GetContentRegionAvail().x, height});
   });
 }
 

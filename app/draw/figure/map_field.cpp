@@ -9,46 +9,17 @@
 #include <string>
 #include <utility>
 
+#include "app/draw/axis/axis_titles.h"
+#include "app/draw/axis/ticks.h"
+#include "app/draw/figure/column_name.h"
+#include "app/draw/figure/verdict_colours.h"
+#include "app/draw/plot/log_plot.h"
+#include "app/draw/plot/plot_axes.h"
+#include "app/file/text/number_name.h"
 #include "core/algorithm/algorithm.h"
-#include "core/run/metrics.h"
-#include "core/units.h"
 
 namespace hapticwall::draw {
 namespace {
-
-constexpr float kMapLineWeight = 2.0F;
-constexpr float kThinLineWeight = 0.8F;
-constexpr float kBelowPlotEms = 4.0F;  // labels and title of the axis across
-
-constexpr ImU32 kSettled = IM_COL32(203, 226, 222, 255);
-constexpr ImU32 kUntouched = IM_COL32(208, 208, 208, 255);
-constexpr ImU32 kActive = IM_COL32(140, 190, 235, 255);
-constexpr ImU32 kBuzzing = IM_COL32(176, 160, 214, 255);
-constexpr ImU32 kDiverged = IM_COL32(52, 42, 48, 255);
-// Colours from the smallest oscillation to the largest.
-constexpr std::array<ImVec4, 4> kHot{{{0.99F, 0.88F, 0.55F, 1.0F},
-                                      {0.96F, 0.62F, 0.28F, 1.0F},
-                                      {0.83F, 0.29F, 0.22F, 1.0F},
-                                      {0.46F, 0.09F, 0.24F, 1.0F}}};
-// Neighbours of nearly the same amplitude share a colour, so that they are drawn as one.
-constexpr double kColourSteps = 48.0;
-
-// A bound of theory, or what CHAI3D allows, as it is drawn.
-struct BoundStyle {
-  const char* name;
-  BoundMember bound;  // nullptr: of CHAI3D
-  ImU32 colour;
-  float weight = kMapLineWeight;
-};
-constexpr std::array<BoundStyle, 6> kBounds{
-    {{"K = 2 (b - B) / T, passive", &StabilityBounds::passive_n_per_m, IM_COL32(20, 60, 140, 255)},
-     {"stable below, with this hand", &StabilityBounds::stable_n_per_m,
-      IM_COL32(120, 40, 150, 255)},
-     {"K = (b + B) / (T/2 + t_d), rule for B T/m < 0.1 without a hand",
-      &StabilityBounds::rule_n_per_m, IM_COL32(165, 90, 190, 255), kThinLineWeight},
-     {"K = 2 f_c / Δ", &StabilityBounds::friction_n_per_m, IM_COL32(0, 120, 90, 255)},
-     {"K = F_max / Δ", &StabilityBounds::resolution_n_per_m, IM_COL32(60, 60, 60, 255)},
-     {"largest K and B that CHAI3D allows on this device", nullptr, IM_COL32(0, 110, 255, 255)}}};
 
 // A place on the axis, in steps of it, as a value.
 double value_at(const MapAxis& axis, double steps) {
@@ -87,35 +58,58 @@ void draw_bounds(const StabilityMap& map, std::span<const BoundLines> bounds, fl
   for (const BoundLines& bound : bounds) {
     for (const BoundSegment& line : bound.lines) {
       list.AddLine(pixels_of(map, line.from.x, line.from.y), pixels_of(map, line.to.x, line.to.y),
-                   kBounds.at(bound.bound).colour, kBounds.at(bound.bound).weight * scale);
+                   bound_styles()[bound.bound].colour, bound_styles()[bound.bound].weight * scale);
     }
   }
 }
 
-// Key and unit of an axis, with the dimensionless range if it fits; else the unit alone.
-std::string axis_title(const Scene& scene, const MapAxis& axis, const MapAxis& other, float room) {
-  const auto fits = [&](const std::string& text) {
-    return ImGui::CalcTextSize(text.c_str()).x <= room;
+// Every second one until the labels have room.
+std::vector<AxisTick> thinned(std::vector<AxisTick> ticks, float length,
+                              const std::function<double(double)>& scale, bool across) {
+  const auto fits = [&] {
+    return across ? have_room_across(ticks, length, scale)
+                  : static_cast<int>(ticks.size()) <= max_ticks_up(length);
   };
-  std::string title = axis.number.path;
-  if (!axis.number.unit.empty()) title += ", " + axis.number.unit;
-  if (!fits(title)) return axis.number.unit;
-  if (const auto number = dimensionless(scene, axis, other)) {
-    std::string whole = fmt::format("{}   ({}: {:.3g} to {:.3g})", title, number->symbol,
-                                    axis.low * number->factor, axis.high * number->factor);
-    if (fits(whole)) return whole;
+  while (ticks.size() > 2 && !fits()) {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < ticks.size(); i += 2) ticks[kept++] = ticks[i];
+    ticks.resize(kept);
   }
-  return title;
+  return ticks;
 }
 
-void set_up_axis(ImAxis id, const MapAxis& axis, const std::string& title) {
+// Ticks in the shown unit, at their SI values.
+std::vector<AxisTick> map_ticks(const MapAxis& axis, float length, bool across) {
   constexpr double kHalf = 0.5;
-  ImPlot::SetupAxis(id, title.c_str(), ImPlotAxisFlags_NoGridLines);
+  const double unit = file::number_name(axis.number).scale;
+  const double low = value_at(axis, -kHalf) * unit;
+  const double high = value_at(axis, static_cast<double>(axis.count) - kHalf) * unit;
+  std::vector<AxisTick> ticks;
+  if (axis.logarithmic) {
+    const Decades decades{std::log10(low), std::log10(high), 0.0};
+    for (const AxisNumber& number : axis_numbers(decades))
+      ticks.push_back({number.value, number.text});
+    const auto scale = [&](double value) {
+      return (std::log10(value) - decades.from) / (decades.to - decades.from);
+    };
+    ticks = thinned(std::move(ticks), length, scale, across);
+  } else {
+    ticks = across ? ticks_across(low, high, length) : round_ticks(low, high, max_ticks_up(length));
+  }
+  for (AxisTick& tick : ticks) tick.value /= unit;
+  return ticks;
+}
+
+void set_up_axis(ImAxis id, const MapAxis& axis, float length, bool labels) {
+  constexpr double kHalf = 0.5;
+  ImPlot::SetupAxis(
+      id, nullptr,
+      kAxisFlags | ImPlotAxisFlags_NoGridLines | (labels ? 0 : ImPlotAxisFlags_NoTickLabels));
   if (axis.logarithmic) ImPlot::SetupAxisScale(id, ImPlotScale_Log10);
-  ImPlot::SetupAxisFormat(id, "%g");
   ImPlot::SetupAxisLimits(id, value_at(axis, -kHalf),
                           value_at(axis, static_cast<double>(axis.count) - kHalf),
                           ImPlotCond_Always);
+  set_up_ticks(id, map_ticks(axis, length, id == ImAxis_X1));
 }
 
 std::string label_of(const StabilityMap& map, std::size_t algorithm) {
@@ -124,66 +118,28 @@ std::string label_of(const StabilityMap& map, std::size_t algorithm) {
   return algorithm_label(settings);
 }
 
-MapFieldArea draw_field(const Theme& theme, const MapContents& contents, std::size_t algorithm,
-                        ImVec2 size) {
-  MapFieldArea area;
-  const StabilityMap& map = contents.map;
-  const std::size_t cells = map.x.count * map.y.count;
-  const std::span<const MapMetrics> figures = contents.figures.subspan(algorithm * cells, cells);
+std::span<const MapMetrics> cells_of(const MapContents& contents, std::size_t algorithm) {
+  const std::size_t cells = contents.map.x.count * contents.map.y.count;
+  return contents.figures.subspan(algorithm * cells, cells);
+}
+
+// The label of the algorithm and its share of good cells; on screen in one line if it has room.
+void draw_field_heading(const Theme& theme, const MapContents& contents, std::size_t algorithm,
+                        float width) {
+  const std::span<const MapMetrics> figures = cells_of(contents, algorithm);
   const auto good = std::ranges::count_if(figures, is_good, &MapMetrics::verdict);
-  ImGui::BeginGroup();
-  ImGui::PushFont(theme.fonts.strong, kFontSize);
-  ImGui::TextUnformatted(label_of(map, algorithm).c_str());
-  ImGui::PopFont();
-  ImGui::SameLine();
-  ImGui::PushFont(nullptr, kSmallFontSize);
-  ImGui::TextDisabled("%.1f %% settled or moving",
-                      100.0 * static_cast<double>(good) / static_cast<double>(cells));
-  const float height = size.y - ImGui::GetTextLineHeightWithSpacing() - ImGui::GetFontSize();
-  const std::string name = fmt::format("##map{}", algorithm);
-  if (ImPlot::BeginPlot(name.c_str(), ImVec2(size.x, height),
-                        ImPlotFlags_CanvasOnly | ImPlotFlags_NoInputs)) {
-    set_up_axis(ImAxis_X1, map.x, axis_title(map.scene, map.x, map.y, size.x));
-    set_up_axis(ImAxis_Y1, map.y, axis_title(map.scene, map.y, map.x, height - ems(kBelowPlotEms)));
-    ImPlot::PushPlotClipRect();
-    draw_cells(map, figures);
-    draw_bounds(map, contents.bounds, contents.scale);
-    ImPlot::PopPlotClipRect();
-    area = {ImPlot::GetPlotPos(), ImPlot::GetPlotSize()};
-    ImPlot::EndPlot();
-  }
-  ImGui::PopFont();
-  ImGui::EndGroup();
-  return area;
+  const std::string label = label_of(contents.map, algorithm);
+  const std::string share =
+      fmt::format("{:.1f} % settled or moving",
+                  100.0 * static_cast<double>(good) / static_cast<double>(figures.size()));
+  draw_column_name(theme, label, width);
+  const float used = ImGui::GetItemRectSize().x + ImGui::GetStyle().ItemSpacing.x;
+  const FontScope font(nullptr, kSmallFontSize);
+  if (!theme.prints() && used + ImGui::CalcTextSize(share.c_str()).x <= width) ImGui::SameLine();
+  ImGui::TextDisabled("%s", share.c_str());
 }
 
-// Starts a new line if the key does not fit beside the previous one.
-void begin_key(float width) {
-  const bool first = ImGui::GetCursorPosX() <= ImGui::GetCursorStartPos().x;
-  if (!first && ImGui::GetContentRegionAvail().x < width) ImGui::NewLine();
-}
-
-// A box of a colour, or a line of a weight, and its meaning; the next item stands beside it.
-void draw_key(ImU32 colour, const char* text, float line_weight = 0.0F) {
-  const float side = ImGui::GetFontSize();
-  begin_key(2.0F * side + ImGui::CalcTextSize(text).x);
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  if (line_weight > 0.0F) {
-    list.AddLine(ImVec2(at.x, at.y + 0.5F * side), ImVec2(at.x + side, at.y + 0.5F * side), colour,
-                 line_weight);
-  } else {
-    list.AddRectFilled(at, ImVec2(at.x + side, at.y + side), colour);
-  }
-  ImGui::Dummy(ImVec2(side, side));
-  ImGui::SameLine();
-  ImGui::PushTextWrapPos();
-  ImGui::TextUnformatted(text);
-  ImGui::PopTextWrapPos();
-  ImGui::SameLine(0.0F, 1.6F * side);
-}
-
-// Fields in a row.
+// Fields in a row of the window.
 std::size_t columns_for(std::size_t fields) {
   constexpr std::size_t kMaxInOneRow = 3;
   return fields <= kMaxInOneRow ? fields : (fields + 1) / 2;
@@ -191,83 +147,48 @@ std::size_t columns_for(std::size_t fields) {
 
 }  // namespace
 
-ImU32 settled_colour() { return kSettled; }
-ImU32 untouched_colour() { return kUntouched; }
-ImU32 active_colour() { return kActive; }
-ImU32 buzzing_colour() { return kBuzzing; }
-ImU32 diverged_colour() { return kDiverged; }
-
-ImU32 oscillating_colour(double tail_peak_to_peak_m) {
-  const double share = std::log(tail_peak_to_peak_m / kSettledPeakToPeakM) /
-                       std::log(kHottestM / kSettledPeakToPeakM);
-  const double part = std::round(kColourSteps * std::clamp(share, 0.0, 1.0)) / kColourSteps;
-  const double place = part * static_cast<double>(kHot.size() - 1);
-  const auto below = std::min(static_cast<std::size_t>(place), kHot.size() - 2);
-  return ImGui::ColorConvertFloat4ToU32(mixed(
-      kHot.at(below), kHot.at(below + 1), static_cast<float>(place - static_cast<double>(below))));
-}
-
 ImU32 colour_of(const MapMetrics& figures) {
-  switch (figures.verdict) {
-    case Verdict::kSettled:
-    case Verdict::kMoving:
-      return settled_colour();
-    case Verdict::kNoContact:
-      return untouched_colour();
-    case Verdict::kActive:
-      return active_colour();
-    case Verdict::kBuzzing:
-      return buzzing_colour();
-    case Verdict::kDiverged:
-      return diverged_colour();
-    case Verdict::kOscillating:
-      break;
-  }
+  if (figures.verdict != Verdict::kOscillating) return verdict_area(figures.verdict);
   return oscillating_colour(figures.tail_peak_to_peak_m.value_or(kHottestM));
 }
 
-std::vector<BoundLines> map_bounds(const StabilityMap& map) {
-  std::vector<BoundLines> all;
-  const std::vector<CellBounds> cells = cell_bounds(map);
-  for (std::size_t i = 0; i < kBounds.size(); ++i) {
-    const BoundMember bound = kBounds.at(i).bound;
-    std::vector<BoundSegment> lines =
-        bound != nullptr ? bound_lines(map, cells, bound) : chai3d_lines(map, cells);
-    // Equal lines are drawn once: without a delay and a damped wall the rule is the first bound.
-    const bool drawn =
-        std::ranges::any_of(all, [&](const BoundLines& other) { return other.lines == lines; });
-    if (!lines.empty() && !drawn) all.push_back({i, std::move(lines)});
-  }
-  return all;
-}
+std::string map_axis_title(const MapAxis& axis) { return file::number_name(axis.number).title(); }
 
-void draw_map_legend(std::span<const BoundLines> bounds, float scale) {
-  const FontScope font(nullptr, kSmallFontSize);
-  draw_key(settled_colour(), "settled or moving");
-  draw_key(untouched_colour(), "no contact");
-  const std::string active =
-      fmt::format("active: gives more than {:g} mW", kMaxGivenW * kMilliwattsPerWatt);
-  draw_key(active_colour(), active.c_str());
-  const std::string buzzing = fmt::format("buzzing: still, chatter above {:g} N", kMaxChatterN);
-  draw_key(buzzing_colour(), buzzing.c_str());
-  constexpr std::array kShownM{kSettledPeakToPeakM, 1e-3, 1e-2, kHottestM};
-  for (const double amplitude_m : kShownM) {
-    const std::string text = fmt::format("{:g} mm", amplitude_m * kMillimetresPerMetre);
-    draw_key(oscillating_colour(amplitude_m), text.c_str());
+MapFieldArea draw_map_field(const Theme& theme, const MapContents& contents, std::size_t algorithm,
+                            const MapFieldFrame& frame) {
+  MapFieldArea area;
+  const StabilityMap& map = contents.map;
+  const float top = ImGui::GetCursorScreenPos().y;
+  ImGui::BeginGroup();
+  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + frame.labels);
+  ImGui::BeginGroup();
+  draw_field_heading(theme, contents, algorithm, frame.size.x - frame.labels);
+  ImGui::EndGroup();
+  const float below = frame.titles ? 1.2F * ImGui::GetFontSize() : 0.0F;
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const float left = frame.titles ? title_room("", 0.0F) : 0.0F;
+  const ImVec2 size(frame.size.x - left, frame.size.y - (corner.y - top) - below);
+  ImGui::SetCursorScreenPos({corner.x + left, corner.y});
+  ImGui::PushFont(theme.fonts.digits, kSmallFontSize);
+  if (ImPlot::BeginPlot(fmt::format("##map{}", algorithm).c_str(), size, plot_flags(false))) {
+    set_up_axis(ImAxis_X1, map.x, size.x - frame.labels, true);
+    set_up_axis(ImAxis_Y1, map.y, size.y - ems(2.0F), frame.value_labels);
+    ImPlot::PushPlotClipRect();
+    draw_cells(map, cells_of(contents, algorithm));
+    draw_bounds(map, contents.bounds, contents.scale);
+    ImPlot::PopPlotClipRect();
+    area = {ImPlot::GetPlotPos(), ImPlot::GetPlotSize()};
+    ImPlot::EndPlot();
   }
-  draw_key(diverged_colour(), "diverged");
-  ImGui::NewLine();
-  for (const BoundLines& bound : bounds) {
-    const BoundStyle& style = kBounds.at(bound.bound);
-    draw_key(style.colour, style.name, style.weight * scale);
+  ImGui::PopFont();
+  if (frame.titles) {
+    const ImU32 colour = theme.packed(Tone::kMuted);
+    draw_upright_title(colour, map_axis_title(map.y), corner.x, left, area.corner.y, area.size.y);
+    ImGui::SetCursorScreenPos({corner.x, corner.y + size.y});
+    draw_title_below(colour, map_axis_title(map.x), area.corner.x, area.size.x);
   }
-  const bool theory = !bounds.empty() && kBounds.at(bounds.front().bound).bound != nullptr;
-  const char* note = theory ? "bounds of the bare wall, without an algorithm"
-                            : "this map has no theoretical bound";
-  begin_key(ImGui::CalcTextSize(note).x);
-  ImGui::PushTextWrapPos();
-  ImGui::TextDisabled("%s", note);
-  ImGui::PopTextWrapPos();
+  ImGui::EndGroup();
+  return area;
 }
 
 void draw_map_fields(const Theme& theme, const MapContents& contents, const OverMapField& over) {
@@ -277,13 +198,14 @@ void draw_map_fields(const Theme& theme, const MapContents& contents, const Over
   const ImVec2 free = ImGui::GetContentRegionAvail();
   const float gap = ImGui::GetFontSize();
   const ImVec2 each((free.x - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns),
-                    free.y / static_cast<float>(rows));
+                    free.y / static_cast<float>(rows) - gap);
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   for (std::size_t i = 0; i < fields; ++i) {
-    const std::size_t row = i / columns;
-    ImGui::SetCursorScreenPos(ImVec2(corner.x + static_cast<float>(i % columns) * (each.x + gap),
-                                     corner.y + static_cast<float>(row) * each.y));
-    const MapFieldArea area = draw_field(theme, contents, i, each);
+    const auto row = static_cast<float>(i / columns);
+    const auto column = static_cast<float>(i % columns);
+    ImGui::SetCursorScreenPos(
+        ImVec2(corner.x + column * (each.x + gap), corner.y + row * (each.y + gap)));
+    const MapFieldArea area = draw_map_field(theme, contents, i, {.size = each});
     if (over) over(i, area);
   }
 }

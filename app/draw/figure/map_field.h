@@ -7,33 +7,18 @@
 #include <cstddef>
 #include <functional>
 #include <span>
-#include <vector>
+#include <string>
 
+#include "app/draw/figure/map_bounds.h"
 #include "app/draw/plot/theme.h"
-#include "core/study/bound_lines.h"
 #include "core/study/stability_map.h"
 
 namespace hapticwall::draw {
 
-// The colours of a cell: calm where it settles, hotter the further it swings.
-// The amplitudes between which the hot colours run, peak to peak; the lower one is the verdict's.
-inline constexpr double kHottestM = 0.1;
-
-[[nodiscard]] ImU32 settled_colour();
-[[nodiscard]] ImU32 untouched_colour();
-[[nodiscard]] ImU32 active_colour();
-[[nodiscard]] ImU32 buzzing_colour();
-[[nodiscard]] ImU32 oscillating_colour(double tail_peak_to_peak_m);
-[[nodiscard]] ImU32 diverged_colour();
 [[nodiscard]] ImU32 colour_of(const MapMetrics& figures);
 
-// A bound of theory, or of CHAI3D, that crosses the map. `bound`: its number in the legend.
-struct BoundLines {
-  std::size_t bound = 0;
-  std::vector<BoundSegment> lines;
-};
-// Bounds of theory first. The same for every algorithm: they are bounds of the bare wall.
-[[nodiscard]] std::vector<BoundLines> map_bounds(const StabilityMap& map);
+// "wall stiffness K (kN/m)".
+[[nodiscard]] std::string map_axis_title(const MapAxis& axis);
 
 struct MapContents {
   const StabilityMap& map;
@@ -47,14 +32,21 @@ struct MapFieldArea {
   ImVec2 corner;
   ImVec2 size;
 };
+// The place of a field within its figure.
+struct MapFieldFrame {
+  ImVec2 size;               // of everything: heading, labels, titles
+  bool titles = true;        // of both axes
+  bool value_labels = true;  // of the axis that goes up
+  float labels = 0.0F;       // pixels from the left to the heading, beside which the labels stand
+};
+MapFieldArea draw_map_field(const Theme& theme, const MapContents& contents, std::size_t algorithm,
+                            const MapFieldFrame& frame);
+
 // Called after a field; may draw and put items over it.
 using OverMapField = std::function<void(std::size_t algorithm, const MapFieldArea& area)>;
 
-// Fills the rest of the region.
+// Fills the rest of the region of a window.
 void draw_map_fields(const Theme& theme, const MapContents& contents,
                      const OverMapField& over = {});
-
-// The colours and the bounds, in as many lines as they need.
-void draw_map_legend(std::span<const BoundLines> bounds, float scale);
 
 }  // namespace hapticwall::draw

@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "app/draw/figure/figure.h"
+#include "app/draw/figure/paper.h"
 #include "app/file/picture.h"
 #include "core/result.h"
 #include "core/study/stability_map.h"
@@ -13,6 +13,6 @@ namespace hapticwall::draw {
 // `figures`: metrics of all cells of the map. Fails like draw_page().
 [[nodiscard]] Result<file::Picture> draw_map(const StabilityMap& map,
                                              std::span<const MapMetrics> figures,
-                                             FigureSize size = {});
+                                             const Paper& paper = {});
 
 }  // namespace hapticwall::draw

@@ -42,7 +42,8 @@ std::optional<Segment> segment_of(std::span<const ImDrawVert> corners) {
 // Draws the shapes of a frame. Segments that follow each other become one line.
 class ShapeWriter {
  public:
-  ShapeWriter(cairo_t* page, FontFaces& faces) : page_(page), text_(page, faces) {
+  ShapeWriter(cairo_t* page, FontFaces& faces, std::vector<file::DrawnText>* texts)
+      : page_(page), text_(page, faces, texts) {
     cairo_set_line_join(page, CAIRO_LINE_JOIN_ROUND);
   }
 
@@ -82,6 +83,7 @@ bool ShapeWriter::draw(const ImDrawList& list, const ImDrawCmd& command) {
   cairo_save(page_);
   cairo_rectangle(page_, clip.Min.x, clip.Min.y, clip.GetWidth(), clip.GetHeight());
   cairo_clip(page_);
+  text_.clip({clip.Min.x, clip.Min.y, clip.GetWidth(), clip.GetHeight()});
   std::vector<ImDrawVert> corners;
   bool known = true;
   for (unsigned at = command.IdxOffset; known && at < command.IdxOffset + command.ElemCount;) {
@@ -143,8 +145,9 @@ void ShapeWriter::flush_line() {
 
 }  // namespace
 
-Failure draw_shapes(const ImDrawData& frame, FontFaces& faces, cairo_t* page) {
-  ShapeWriter writer(page, faces);
+Failure draw_shapes(const ImDrawData& frame, FontFaces& faces,
+                    std::vector<file::DrawnText>* texts, cairo_t* page) {
+  ShapeWriter writer(page, faces, texts);
   for (const ImDrawList* list : frame.CmdLists) {
     for (const ImDrawCmd& command : list->CmdBuffer) {
       if (!writer.draw(*list, command))
@@ -156,12 +159,12 @@ Failure draw_shapes(const ImDrawData& frame, FontFaces& faces, cairo_t* page) {
 
 Result<std::shared_ptr<const file::Shapes>> record_shapes(const ImDrawData& frame) {
   const cairo_rectangle_t extents{0.0, 0.0, frame.DisplaySize.x, frame.DisplaySize.y};
-  std::shared_ptr<const file::Shapes> shapes = std::make_shared<file::Shapes>(extents);
+  const auto shapes = std::make_shared<file::Shapes>(extents);
   const std::unique_ptr<cairo_t, decltype(&cairo_destroy)> page(cairo_create(shapes->surface),
                                                                 cairo_destroy);
   FontFaces faces;
-  if (Failure failed = draw_shapes(frame, faces, page.get())) return *failed;
-  return shapes;
+  if (Failure failed = draw_shapes(frame, faces, &shapes->texts, page.get())) return *failed;
+  return std::shared_ptr<const file::Shapes>(shapes);
 }
 
 }  // namespace hapticwall::draw

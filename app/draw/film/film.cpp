@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "app/draw/figure/page.h"
+#include "app/draw/figure/page_painter.h"
 #include "app/draw/film/film_card.h"
 #include "app/draw/film/film_pen.h"
 
@@ -18,7 +18,7 @@ constexpr float kFilmDesignCardWidth = 560.0F;  // the narrowest card at scale 1
 constexpr float kFilmHeadingHeight = 36.0F;
 constexpr float kBetweenCards = 16.0F;
 
-float film_scale(FigureSize size, std::size_t runs) {
+float film_scale(PictureSize size, std::size_t runs) {
   const float card = static_cast<float>(size.width) / static_cast<float>(runs);
   return std::min(static_cast<float>(size.height) / kFilmDesignHeight, card / kFilmDesignCardWidth);
 }

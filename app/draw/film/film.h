@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "app/draw/figure/figure.h"
+#include "app/draw/figure/page_painter.h"
 #include "app/draw/film/film_moment.h"
 #include "app/draw/plot/theme.h"
 #include "app/file/picture.h"
@@ -16,12 +16,12 @@
 namespace hapticwall::draw {
 
 // Pictures of a film in pixels, and its shortest side for readable text.
-inline constexpr FigureSize kFilmSize{1280, 720};
+inline constexpr PictureSize kFilmSize{1280, 720};
 inline constexpr int kMinFilmSide = 240;
 inline constexpr int kMaxFilmSide = 4320;
 
 struct FilmSettings {
-  FigureSize size = kFilmSize;
+  PictureSize size = kFilmSize;
   Look look = Look::kScreen;
   double rate_hz = 60.0;  // pictures in a second of the film
   double slow = 1.0;      // seconds of the film for one of the session

@@ -72,11 +72,13 @@ void draw_extra_traces(const PlotSurface& surface, const PlotDescription& plot) 
       if (!has_drawn(surface, plot, trace, line)) continue;
       const ValueScale& scale = plot.scale_of(line);
       const std::string name = fmt::format("{}##extra{}", line.name, index);
-      draw_trace({*trace.history, line.quantity, visible_range(surface, trace), scale.scale,
-                  trace.shift_s},
-                 {name.c_str(), extra_colour(*surface.theme, trace, line.tone),
-                  kTraceWidth * surface.line_weight, Dash::kSolid, scale.smallest_span},
-                 value_axis(line.side), *surface.scratch);
+      TraceSource source{*trace.history, line.quantity, visible_range(surface, trace), scale.scale,
+                         trace.shift_s};
+      source.knee = scale.knee;
+      TraceStyle style{name.c_str(), extra_colour(*surface.theme, trace, line.tone),
+                       kTraceWidth * surface.line_weight, Dash::kSolid, scale.smallest_span};
+      style.column = surface.column;
+      draw_trace(source, style, value_axis(line.side), *surface.scratch);
     }
   }
   ImPlot::SetAxes(ImAxis_X1, ImAxis_Y1);

@@ -6,9 +6,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <span>
 
+#include "app/draw/axis/axis_titles.h"
+#include "app/draw/axis/legend_keys.h"
+#include "app/draw/axis/point_labels.h"
+#include "app/draw/axis/symbol_text.h"
+#include "app/draw/axis/ticks.h"
 #include "app/draw/plot/plot_axes.h"
 #include "app/draw/plot/theme.h"
 
@@ -44,23 +48,6 @@ std::optional<Decades> decades_of(const LogPlot& plot, double LogPoint::*member)
   return range;
 }
 
-// "0.1", "1000", "10⁻⁹", "2·10⁵".
-std::string decimal_text(int digit, int exponent) {
-  constexpr int kMinPlain = -2;
-  constexpr int kMaxPlain = 3;
-  if (exponent >= kMinPlain && exponent <= kMaxPlain) {
-    return fmt::format("{:g}", digit * std::pow(10.0, exponent));
-  }
-  constexpr std::array<const char*, 10> kSuperscripts{"⁰", "¹", "²", "³", "⁴",
-                                                      "⁵", "⁶", "⁷", "⁸", "⁹"};
-  std::string text = digit == 1 ? "10" : fmt::format("{}·10", digit);
-  if (exponent < 0) text += "⁻";
-  for (const char figure : fmt::format("{}", std::abs(exponent))) {
-    text += kSuperscripts.at(static_cast<std::size_t>(figure - '0'));
-  }
-  return text;
-}
-
 // Numbers of the axis: each of these digits times every power of ten within the range.
 std::vector<AxisNumber> numbers_of(const Decades& decades, std::span<const int> digits) {
   std::vector<AxisNumber> numbers;
@@ -93,14 +80,10 @@ void set_up_axis(ImAxis axis, const Decades& decades) {
   ImPlot::SetupAxisScale(axis, ImPlotScale_Log10);
   ImPlot::SetupAxisLimits(axis, std::pow(10.0, decades.from), std::pow(10.0, decades.to),
                           ImPlotCond_Always);
-  const std::vector<AxisNumber> numbers = axis_numbers(decades);
-  std::vector<double> values;
-  std::vector<const char*> labels;
-  for (const AxisNumber& number : numbers) {
-    values.push_back(number.value);
-    labels.push_back(number.text.c_str());
-  }
-  ImPlot::SetupAxisTicks(axis, values.data(), static_cast<int>(values.size()), labels.data());
+  std::vector<AxisTick> ticks;
+  for (const AxisNumber& number : axis_numbers(decades))
+    ticks.push_back({number.value, number.text});
+  set_up_ticks(axis, ticks);
 }
 
 ImPlotMarker plot_marker(Mark mark) {
@@ -108,19 +91,22 @@ ImPlotMarker plot_marker(Mark mark) {
   return mark == Mark::kSquare ? ImPlotMarker_Square : ImPlotMarker_Diamond;
 }
 
-void draw_goal(const Theme& theme, const LogPlot& plot) {
-  if (!plot.goal) return;
+// Returns the box of its label.
+std::optional<LabelBox> draw_goal(const Theme& theme, const LogPlot& plot) {
+  if (!plot.goal) return std::nullopt;
   ImPlotSpec spec = line_spec(with_alpha(theme.colour(Tone::kMuted), 0.7F));
   spec.Flags |= ImPlotInfLinesFlags_Horizontal;
+  spec.LineWeight = ImGui::GetStyle().FontScaleMain;
   const double goal = *plot.goal;
   ImPlot::PlotInfLines("##goal", &goal, 1, spec);
   const std::string text = fmt::format("{:g} {}", goal, plot.unit);
   const ImVec2 size = ImGui::CalcTextSize(text.c_str());
   const ImVec2 end = ImPlot::PlotToPixels(ImPlot::GetPlotLimits().X.Max, goal);
+  const ImVec2 corner(end.x - size.x - 0.5F * size.y, end.y - 1.1F * size.y);
   ImPlot::PushPlotClipRect();
-  ImPlot::GetPlotDrawList()->AddText(ImVec2(end.x - size.x - 0.5F * size.y, end.y - 1.1F * size.y),
-                                     theme.packed(Tone::kMuted), text.c_str());
+  ImPlot::GetPlotDrawList()->AddText(corner, theme.packed(Tone::kMuted), text.c_str());
   ImPlot::PopPlotClipRect();
+  return LabelBox{corner, ImVec2(corner.x + size.x, corner.y + size.y)};
 }
 
 void draw_series(const Theme& theme, const LogSeries& series, float scale) {
@@ -143,45 +129,8 @@ void draw_series(const Theme& theme, const LogSeries& series, float scale) {
   }
 }
 
-struct Box {
-  ImVec2 from;
-  ImVec2 to;
-};
-
-float overlap(const Box& a, const Box& b) {
-  const float width = std::min(a.to.x, b.to.x) - std::max(a.from.x, b.from.x);
-  const float height = std::min(a.to.y, b.to.y) - std::max(a.from.y, b.from.y);
-  return width > 0.0F && height > 0.0F ? width * height : 0.0F;
-}
-
-// The place around `mark` where the text covers least of `taken`; the preferred side comes first.
-Box place_label(const Box& mark, ImVec2 text, bool above, const std::vector<Box>& taken) {
-  const ImVec2 centre(0.5F * (mark.from.x + mark.to.x), 0.5F * (mark.from.y + mark.to.y));
-  const float over = mark.from.y - text.y;
-  const float under = mark.to.y;
-  const std::array<ImVec2, 2> preferred{{{centre.x, over}, {centre.x - text.x, under}}};
-  std::vector<ImVec2> corners{preferred.at(above ? 0 : 1)};
-  corners.insert(corners.end(), {{centre.x - 0.5F * text.x, above ? over : under},
-                                 {above ? centre.x - text.x : centre.x, above ? over : under},
-                                 preferred.at(above ? 1 : 0),
-                                 {centre.x - 0.5F * text.x, above ? under : over},
-                                 {mark.to.x + 0.2F * text.y, centre.y - 0.5F * text.y},
-                                 {mark.from.x - text.x - 0.2F * text.y, centre.y - 0.5F * text.y}});
-  Box best;
-  float least = -1.0F;
-  for (const ImVec2& corner : corners) {
-    const Box box{corner, ImVec2(corner.x + text.x, corner.y + text.y)};
-    float covered = 0.0F;
-    for (const Box& other : taken) covered += overlap(box, other);
-    if (least >= 0.0F && covered >= least) continue;
-    best = box;
-    least = covered;
-  }
-  return best;
-}
-
 // The lines of a series as a chain of small boxes.
-void add_lines(const LogSeries& series, float scale, std::vector<Box>& taken) {
+void add_lines(const LogSeries& series, float scale, std::vector<LabelBox>& taken) {
   constexpr int kBoxes = 32;  // a segment
   for (std::size_t i = 1; i < series.points.size(); ++i) {
     const ImVec2 a = ImPlot::PlotToPixels(series.points[i - 1].x, series.points[i - 1].y);
@@ -194,25 +143,33 @@ void add_lines(const LogSeries& series, float scale, std::vector<Box>& taken) {
   }
 }
 
-void draw_labels(const Theme& theme, const LogPlot& plot, float scale) {
-  std::vector<Box> taken;
-  const auto mark_of = [&](const LogSeries& series, const LogPoint& point) {
-    const ImVec2 centre = ImPlot::PlotToPixels(point.x, point.y);
-    const float reach = (series.radius * kMarkRadius + 1.0F) * scale;
-    return Box{ImVec2(centre.x - reach, centre.y - reach),
-               ImVec2(centre.x + reach, centre.y + reach)};
-  };
+LabelBox mark_box(const LogSeries& series, const LogPoint& point, float scale) {
+  const ImVec2 centre = ImPlot::PlotToPixels(point.x, point.y);
+  const float reach = (series.radius * kMarkRadius + 1.0F) * scale;
+  return {ImVec2(centre.x - reach, centre.y - reach), ImVec2(centre.x + reach, centre.y + reach)};
+}
+
+// A label without a free place is left out: the table has its number.
+void draw_labels(const Theme& theme, const LogPlot& plot, const std::optional<LabelBox>& goal,
+                 float scale) {
+  const ImVec2 corner = ImPlot::GetPlotPos();
+  const ImVec2 size = ImPlot::GetPlotSize();
+  TakenPlaces taken{{corner, {corner.x + size.x, corner.y + size.y}}, {}, {}};
+  if (goal) taken.texts.push_back(*goal);
   for (const LogSeries& series : plot.series) {
-    for (const LogPoint& point : series.points) taken.push_back(mark_of(series, point));
-    add_lines(series, scale, taken);
+    for (const LogPoint& point : series.points) taken.ink.push_back(mark_box(series, point, scale));
+    add_lines(series, scale, taken.ink);
   }
   ImPlot::PushPlotClipRect();
   for (const LogSeries& series : plot.series) {
     for (const LogPoint& point : series.points) {
-      const ImVec2 size = ImGui::CalcTextSize(point.label.c_str());
-      const Box box = place_label(mark_of(series, point), size, series.labels_above, taken);
-      taken.push_back(box);
-      ImPlot::GetPlotDrawList()->AddText(box.from, theme.packed(series.tone), point.label.c_str());
+      if (point.label.empty()) continue;
+      const ImVec2 text = ImGui::CalcTextSize(point.label.c_str());
+      const auto box =
+          place_label(mark_box(series, point, scale), text, series.labels_above, taken);
+      if (!box) continue;
+      taken.texts.push_back(*box);
+      ImPlot::GetPlotDrawList()->AddText(box->from, theme.packed(series.tone), point.label.c_str());
     }
   }
   ImPlot::PopPlotClipRect();
@@ -230,40 +187,37 @@ LogPlot with_zeros_shown(LogPlot plot, const Decades& y) {
   return plot;
 }
 
+// The plot within `size`, with the titles of its axes.
 void draw_plot_area(const Theme& theme, const LogPlot& plot, const Decades& x, const Decades& y,
-                    float scale) {
-  const ImVec2 free = ImGui::GetContentRegionAvail();
-  const ImVec2 area(free.x, free.y - ImGui::GetTextLineHeightWithSpacing());
-  if (ImPlot::BeginPlot("##plot", area, plot_flags(false))) {
+                    ImVec2 size, float scale) {
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const std::string title = plot.quantity + (plot.unit.empty() ? "" : " (" + plot.unit + ")");
+  const ImU32 colour = theme.packed(theme.prints() ? Tone::kText : Tone::kMuted);
+  const float below = 1.2F * ImGui::GetFontSize();
+  const float room = title_room(title, size.y - 2.0F * below);
+  ImVec2 area_corner;
+  ImVec2 area_size;
+  ImGui::SetCursorScreenPos({corner.x + room, corner.y});
+  ImGui::PushFont(theme.fonts.text, kSmallFontSize);
+  if (ImPlot::BeginPlot("##plot", {size.x - room - 0.7F * below, size.y - below},
+                        plot_flags(false))) {
     set_up_axis(ImAxis_X1, x);
     set_up_axis(ImAxis_Y1, y);
     ImPlot::SetupFinish();
-    draw_goal(theme, plot);
+    const std::optional<LabelBox> goal = draw_goal(theme, plot);
     const LogPlot shown = with_zeros_shown(plot, y);
     for (const LogSeries& series : shown.series) {
       if (!series.points.empty()) draw_series(theme, series, scale);
     }
-    draw_labels(theme, shown, scale);
+    draw_labels(theme, shown, goal, scale);
+    area_corner = ImPlot::GetPlotPos();
+    area_size = ImPlot::GetPlotSize();
     ImPlot::EndPlot();
   }
-  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + free.x -
-                       ImGui::CalcTextSize(plot.x_title.c_str()).x);
-  ImGui::TextDisabled("%s", plot.x_title.c_str());
-}
-
-void draw_legend(const Theme& theme, const LogFigure& figure) {
-  const FontScope font(nullptr, kSmallFontSize);
-  const float gap = 1.6F * ImGui::GetFontSize();
-  const std::vector<LogSeries>& all = figure.plots.front().series;
-  for (const LogSeries& series : all) {
-    draw_legend_mark(theme, series.tone, series.mark, true);
-    ImGui::TextColored(theme.colour(series.tone), "%s", series.name.c_str());
-    ImGui::SameLine(0.0F, gap);
-  }
-  draw_legend_mark(theme, all.front().tone, all.front().mark, false);
-  ImGui::TextDisabled("hollow: %s", figure.hollow.c_str());
-  ImGui::SameLine(0.0F, gap);
-  ImGui::TextDisabled("numbers: %s", figure.labels.c_str());
+  ImGui::PopFont();
+  draw_upright_title(colour, title, corner.x, room, area_corner.y, area_size.y);
+  ImGui::SetCursorScreenPos({corner.x, corner.y + size.y - below});
+  draw_title_below(colour, plot.x_title, area_corner.x, area_size.x);
 }
 
 }  // namespace
@@ -281,18 +235,34 @@ std::vector<AxisNumber> axis_numbers(const Decades& decades) {
 void draw_log_plot(const Theme& theme, const LogPlot& plot, ImVec2 size, float scale) {
   ImGui::BeginChild(plot.title.c_str(), size);
   strong_text(theme, plot.title);
-  ImGui::SameLine();
-  ImGui::TextDisabled("%s", plot.unit.c_str());
   const std::optional<Decades> x = decades_of(plot, &LogPoint::x);
   const std::optional<Decades> y = decades_of(plot, &LogPoint::y);
-  ImGui::PushFont(theme.fonts.text, kSmallFontSize);
   if (x && y) {
-    draw_plot_area(theme, plot, *x, *y, scale);
+    draw_plot_area(theme, plot, *x, *y, ImGui::GetContentRegionAvail(), scale);
   } else {
-    ImGui::TextDisabled("%s", plot.nothing.c_str());
+    wrapped_symbol_text(theme.packed(Tone::kMuted), plot.nothing);
   }
-  ImGui::PopFont();
   ImGui::EndChild();
+}
+
+void draw_log_legend(const Theme& theme, const LogFigure& figure) {
+  const FontScope font(nullptr, kSmallFontSize);
+  const float gap = ems(1.6F);
+  const float mark = ems(1.35F);
+  const std::vector<LogSeries>& all = figure.plots.front().series;
+  for (const LogSeries& series : all) {
+    begin_key(mark + ImGui::CalcTextSize(series.name.c_str()).x);
+    draw_legend_mark(theme, series.tone, series.mark, true);
+    draw_key_text(theme.packed(series.tone), series.name, gap);
+  }
+  const std::string hollow = "hollow: " + figure.hollow;
+  begin_key(mark + ImGui::CalcTextSize(hollow.c_str()).x);
+  draw_legend_mark(theme, all.front().tone, all.front().mark, false);
+  draw_key_text(theme.packed(Tone::kMuted), hollow, gap);
+  const std::string numbers = "numbers: " + figure.labels;
+  begin_key(ImGui::CalcTextSize(numbers.c_str()).x);
+  ImGui::TextDisabled("%s", numbers.c_str());
+  if (!figure.missing.empty()) ImGui::TextWrapped("%s", figure.missing.c_str());
 }
 
 void draw_legend_mark(const Theme& theme, Tone tone, Mark mark, bool filled) {
@@ -324,11 +294,7 @@ void draw_legend_mark(const Theme& theme, Tone tone, Mark mark, bool filled) {
 
 void draw_log_figure(const Theme& theme, const LogFigure& figure, ImVec2 size, float scale) {
   const float top = ImGui::GetCursorPosY();
-  draw_legend(theme, figure);
-  if (!figure.missing.empty()) {
-    const FontScope font(nullptr, kSmallFontSize);
-    ImGui::TextWrapped("%s", figure.missing.c_str());
-  }
+  draw_log_legend(theme, figure);
   ImGui::Spacing();
   const auto count = static_cast<float>(figure.plots.size());
   const float gap = 3.0F * ImGui::GetStyle().ItemSpacing.x;

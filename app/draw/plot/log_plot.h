@@ -35,8 +35,9 @@ struct LogSeries {
 
 struct LogPlot {
   std::string title;
-  std::string unit;
-  std::string x_title;
+  std::string quantity;        // of the y axis, with its symbol: "energy E"
+  std::string unit;            // of the y axis
+  std::string x_title;         // with its unit in brackets
   std::optional<double> goal;  // a line across at this y
   std::string nothing;         // text if no point has a y above 0
   std::vector<LogSeries> series;
@@ -69,8 +70,11 @@ struct AxisNumber {
 // two and five, and so on.
 [[nodiscard]] std::vector<AxisNumber> axis_numbers(const Decades& decades);
 
-// Draws heading, plot and the title of the x axis into `size`.
+// Draws heading, plot and the titles of its axes into `size`.
 void draw_log_plot(const Theme& theme, const LogPlot& plot, ImVec2 size, float scale);
+
+// Draws the keys of the series and the meaning of marks and labels, in as many lines as needed.
+void draw_log_legend(const Theme& theme, const LogFigure& figure);
 
 // The mark of a series within a line of text; the next item stands beside it.
 void draw_legend_mark(const Theme& theme, Tone tone, Mark mark, bool filled);

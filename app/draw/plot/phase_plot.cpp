@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <tuple>
 
+#include "app/draw/axis/axis_titles.h"
+#include "app/draw/axis/ticks.h"
 #include "core/units.h"
 
 namespace hapticwall::draw {
@@ -138,9 +141,17 @@ void draw_path(const PlotSurface& surface, PhaseView& view) {
 }
 
 PlotArea draw_plane(const PlotSurface& surface, PhaseView& view, ImVec2 size) {
+  const FontScope font(surface.theme->fonts.digits, kSmallFontSize);
   if (!ImPlot::BeginPlot("##plot Phase", size, plot_flags(surface.interactive))) return {};
-  view.penetration.set_up(ImAxis_X1, "%g mm");
-  view.force.set_up(ImAxis_Y1, "%g N");
+  const bool prints = surface.theme->prints();
+  view.penetration.set_up(ImAxis_X1, prints ? "%g" : "%g mm");
+  view.force.set_up(ImAxis_Y1, prints ? "%g" : "%g N");
+  if (prints) {
+    set_up_ticks(ImAxis_X1,
+                 ticks_across(view.penetration.minimum, view.penetration.maximum, size.x));
+    set_up_ticks(ImAxis_Y1,
+                 round_ticks(view.force.minimum, view.force.maximum, max_ticks_up(size.y)));
+  }
   ImPlot::SetupFinish();
   draw_walls(surface);
   draw_path(surface, view);
@@ -150,6 +161,21 @@ PlotArea draw_plane(const PlotSurface& surface, PhaseView& view, ImVec2 size) {
   }
   const PlotArea area{ImPlot::GetPlotPos(), ImPlot::GetPlotSize()};
   ImPlot::EndPlot();
+  return area;
+}
+
+PlotArea draw_printed_plane(const PlotSurface& surface, PhaseView& view, ImVec2 size) {
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const FontScope font(nullptr, kFontSize);
+  const ImU32 colour = surface.theme->packed(Tone::kText);
+  const std::string force = "force F (N)";
+  const float room = title_room(force, size.y);
+  const float below = 1.2F * ImGui::GetFontSize();
+  ImGui::SetCursorScreenPos({corner.x + room, corner.y});
+  const PlotArea area = draw_plane(surface, view, {size.x - room - 0.8F * below, size.y - below});
+  draw_upright_title(colour, force, corner.x, room, area.position.y, area.size.y);
+  ImGui::SetCursorScreenPos({corner.x, corner.y + size.y - below});
+  draw_title_below(colour, "penetration p (mm)", area.position.x, area.size.x);
   return area;
 }
 
@@ -233,9 +259,9 @@ PlotArea draw_phase_plot(const PlotSurface& surface, PhaseSettings& settings, Ph
   const float top = ImGui::GetCursorPosY();
   draw_heading(surface, settings, view, range.count() < kMaxPhaseSamples);
   const float height = std::max(1.0F, size.y - (ImGui::GetCursorPosY() - top));
-  ImGui::PushFont(surface.theme->fonts.digits, kSmallFontSize);
-  const PlotArea area = draw_plane(surface, view, ImVec2(size.x, height));
-  ImGui::PopFont();
+  const PlotArea area = surface.theme->prints()
+                            ? draw_printed_plane(surface, view, ImVec2(size.x, height))
+                            : draw_plane(surface, view, ImVec2(size.x, height));
   ImGui::EndGroup();
   ImGui::PopID();
   return area;

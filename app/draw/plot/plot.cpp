@@ -6,74 +6,18 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/draw/axis/axis_titles.h"
+#include "app/draw/axis/ticks.h"
 #include "app/draw/plot/plot_heading.h"
+#include "app/draw/plot/plot_ranges.h"
 
 namespace hapticwall::draw {
 namespace {
 
 constexpr double kMinTimeAxisS = 1e-4;
 constexpr double kMaxTimeAxisS = 1e6;
-constexpr float kDimStrength = 0.4F;  // opacity of a band that must not cover others
-
-bool has_axis(const PlotSurface& surface, const PlotDescription& plot, Side side) {
-  return std::any_of(plot.lines.begin(), plot.lines.end(), [&](const PlotLine& line) {
-    return line.side == side && is_drawn(surface, plot, line);
-  });
-}
-
-// Positions, unlike penetrations, do not begin at the wall.
-bool shows_positions(const PlotSurface& surface, const PlotDescription& plot) {
-  return std::any_of(plot.lines.begin(), plot.lines.end(), [&](const PlotLine& line) {
-    const bool position =
-        line.quantity == &Sample::position_m || line.quantity == &PlantTruth::position_m;
-    return position && is_drawn(surface, plot, line);
-  });
-}
-
-// Extremes of the drawn lines: of desired values if `wish`, else of all other lines.
-std::optional<Extremes> line_values(const PlotSurface& surface, const PlotDescription& plot,
-                                    IndexRange range, Side side, bool wish) {
-  std::optional<Extremes> all;
-  for (const PlotLine& line : plot.lines) {
-    if (line.side != side || line.wish != wish || !is_drawn(surface, plot, line)) continue;
-    if (const auto extra = extra_extremes(surface, line)) include(all, *extra);
-    if (range.count() == 0) continue;
-    const SampleStats stats = surface.history->stats(line.quantity, range);
-    if (!stats.empty()) include(all, stats.extremes);
-  }
-  return all;
-}
-
-// The force axis always shows what the actuator can do in the direction of the forces, with room
-// for the label of the limit.
-void include_limit(const PlotSurface& surface, Extremes& values) {
-  // Share of the force limit; a smaller force does not count as a pull.
-  constexpr double kPullShare = 0.05;
-  constexpr double kRoom = 1.15;
-  const double limit_n = surface.device.force_limit_n.value_or(0.0);
-  const bool pulls = values.minimum < -kPullShare * limit_n;
-  values.include({pulls ? -kRoom * limit_n : 0.0, kRoom * limit_n});
-}
-
-// The extremes that the automatic axis shows, in SI units.
-Extremes axis_values(const PlotSurface& surface, const PlotDescription& plot, IndexRange range,
-                     Side side) {
-  std::optional<Extremes> all = line_values(surface, plot, range, side, false);
-  if (!all) all = line_values(surface, plot, range, side, true);
-  if (plot.id != PlotId::kPosition || side != Side::kLeft) {
-    include(all, {});
-  } else if (!surface.walls.empty() && (!all || shows_positions(surface, plot))) {
-    const double face_m = surface.walls.front().position_m;
-    include(all, {face_m, face_m});
-  }
-  if (plot.id == PlotId::kForce && side == Side::kLeft) include_limit(surface, *all);
-  return all.value_or(Extremes{});
-}
-
-Extremes axis_range(const Extremes& values, const ValueScale& scale) {
-  return round_range({values.minimum * scale.scale, values.maximum * scale.scale},
-                     scale.smallest_span);
-}
+constexpr float kWallLineWeight = 1.5F;  // pixels, at least
+constexpr float kDimStrength = 0.4F;     // opacity of a band that must not cover others
 
 // A wheel or drag that began between the axes changes the time axis.
 ImPlotAxisFlags value_lock(const PlotSurface& surface, const PlotAxes& axes) {
@@ -86,8 +30,25 @@ ImPlotAxisFlags value_lock(const PlotSurface& surface, const PlotAxes& axes) {
   return !selecting && axes.area.contains(began) ? ImPlotAxisFlags_Lock : 0;
 }
 
+// Ticks that are chosen for the size of the plot.
+void set_up_printed_ticks(const PlotSurface& surface, const PlotDescription& plot,
+                          const PlotAxes& axes, ImVec2 size) {
+  const TimeWindow& window = *surface.window;
+  set_up_ticks(ImAxis_X1, ticks_across(window.from_s, window.to_s, size.x));
+  const auto set_up = [&](ImAxis id, const ValueAxis& axis, double knee) {
+    // Of labels that do not touch.
+    const double gap =
+        static_cast<double>(1.1F * ems(1.0F) / size.y) * (axis.maximum - axis.minimum);
+    set_up_ticks(id, knee > 0.0 ? symlog_ticks(axis.minimum, axis.maximum, knee, gap)
+                                : round_ticks(axis.minimum, axis.maximum, max_ticks_up(size.y)));
+  };
+  set_up(ImAxis_Y1, axes.left, plot.left.knee);
+  if (has_axis(surface, plot, Side::kRight)) set_up(ImAxis_Y2, axes.right, 0.0);
+  if (has_axis(surface, plot, Side::kFarRight)) set_up(ImAxis_Y3, axes.far_right, 0.0);
+}
+
 void set_up_axes(PlotSurface& surface, const PlotDescription& plot, PlotAxes& axes,
-                 double* length_s) {
+                 double* length_s, ImVec2 size) {
   const auto labels = [](bool shown) { return shown ? 0 : ImPlotAxisFlags_NoTickLabels; };
   const ImPlotAxisFlags lock = value_lock(surface, axes);
   ImPlot::SetupAxis(ImAxis_X1, nullptr, kAxisFlags | labels(surface.time_labels));
@@ -100,6 +61,7 @@ void set_up_axes(PlotSurface& surface, const PlotDescription& plot, PlotAxes& ax
     axes.on(side).set_up(value_axis(side), "%.6g",
                          lock | ImPlotAxisFlags_Opposite | ImPlotAxisFlags_NoGridLines);
   }
+  if (surface.theme->prints()) set_up_printed_ticks(surface, plot, axes, size);
   ImPlot::SetupFinish();
 }
 
@@ -115,7 +77,7 @@ void draw_walls(const PlotSurface& surface, const PlotDescription& plot) {
     list->AddRectFilled(ImVec2(face_left.x, far_right.y), ImVec2(far_right.x, face_left.y),
                         surface.theme->packed(Tone::kWall, 0.10F));
     list->AddLine(face_left, ImVec2(far_right.x, face_left.y), surface.theme->packed(Tone::kWall),
-                  1.5F);
+                  std::max(kWallLineWeight, 0.8F * surface.line_weight));
   }
   ImPlot::PopPlotClipRect();
 }
@@ -124,6 +86,7 @@ void draw_zero_line(const PlotSurface& surface) {
   const double zero = 0.0;
   ImPlotSpec spec = line_spec(with_alpha(surface.theme->colour(Tone::kMuted), 0.6F));
   spec.Flags |= ImPlotInfLinesFlags_Horizontal;
+  spec.LineWeight = ImGui::GetStyle().FontScaleMain;
   ImPlot::PlotInfLines("##zero", &zero, 1, spec);
 }
 
@@ -157,10 +120,12 @@ void draw_lines(const PlotSurface& surface, const PlotDescription& plot, IndexRa
     const ValueScale& scale = plot.scale_of(line);
     TraceStyle style{line.name, surface.theme->colour(line.tone), surface.line_weight, line.dash,
                      scale.smallest_span};
+    style.column = surface.column;
     if (surface.line_names && drawn > 1) style.label = line.name;
     if (line.wish || line.side != Side::kLeft) style.band_strength = kDimStrength;
     if (has_other_band(surface, plot, line)) style.band_strength = 0.0F;
     TraceSource source{*surface.history, line.quantity, range, scale.scale};
+    source.knee = scale.knee;
     if (line.wish && plot.id == PlotId::kForce && surface.device.force_limit_n)
       source.clip = {-*surface.device.force_limit_n, *surface.device.force_limit_n};
     draw_trace(source, style, value_axis(line.side), *surface.scratch);
@@ -271,54 +236,51 @@ void draw_contents(const PlotSurface& surface, const PlotDescription& plot, Inde
   if (!draw_cursors(surface)) draw_readout(surface, plot);
 }
 
-IndexRange range_of(const PlotSurface& surface) {
-  return surface.history->range(surface.window->from_s, surface.window->to_s);
+// The plot at the cursor, without heading and titles. Its area is in `axes` then.
+void draw_axes_and_contents(PlotSurface& surface, const PlotDescription& plot, PlotAxes& axes,
+                            ImVec2 size) {
+  const FontScope font(surface.theme->fonts.digits, kSmallFontSize);
+  double length_s = surface.window->length_s();
+  const bool visible = ImPlot::BeginPlot(fmt::format("##plot {}", plot.title).c_str(), size,
+                                         plot_flags(surface.interactive));
+  if (!visible) {
+    axes.area = {};
+    return;
+  }
+  const ImVec2 labels(ems(2.0F), surface.time_labels ? ems(1.5F) : 0.0F);  // of the axes, at least
+  set_up_axes(surface, plot, axes, &length_s, {size.x - labels.x, size.y - labels.y});
+  draw_contents(surface, plot, visible_range(surface));
+  if (surface.interactive) notice_input(surface, plot, axes);
+  axes.area = {ImPlot::GetPlotPos(), ImPlot::GetPlotSize()};
+  ImPlot::EndPlot();
+}
+
+// The plot with the titles of its axes, within `size`.
+void draw_printed(PlotSurface& surface, const PlotDescription& plot, PlotAxes& axes, ImVec2 size) {
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  // Half of the last label of the time axis reaches beyond it.
+  const float right = has_axis(surface, plot, Side::kRight) ? 0.0F : 0.8F * ems(1.0F);
+  const float below = surface.time_labels ? 1.2F * ems(1.0F) : 0.0F;
+  ImGui::SetCursorScreenPos({corner.x + surface.title_room, corner.y});
+  draw_axes_and_contents(surface, plot, axes,
+                         {size.x - surface.title_room - right, size.y - below});
+  const PlotArea& area = axes.area;
+  const ImU32 colour = surface.theme->packed(Tone::kText);
+  if (surface.title_room > 0.0F)
+    draw_upright_title(colour, axis_title(surface, plot), corner.x, surface.title_room,
+                       area.position.y, area.size.y);
+  ImGui::SetCursorScreenPos({corner.x, corner.y + size.y - below});
+  if (surface.time_labels) draw_title_below(colour, "time t (s)", area.position.x, area.size.x);
 }
 
 }  // namespace
-
-PlotDescription in_shown_units(const PlotSurface& surface, const PlotDescription& plot) {
-  constexpr double kMinCounts = 2.0;
-  PlotDescription shown = plot;
-  if ((*surface.axes)[static_cast<std::size_t>(plot.id)].large) shown.left = plot.left_large;
-  if (plot.id == PlotId::kPosition) {
-    const double count_m = surface.device.encoder_m.value_or(0.0);
-    shown.left.smallest_span =
-        std::max(plot.left.smallest_span, kMinCounts * count_m * plot.left.scale);
-  }
-  return shown;
-}
-
-Extremes shown_values(const PlotSurface& surface, const PlotDescription& plot) {
-  return axis_values(surface, plot, range_of(surface), Side::kLeft);
-}
-
-void fit_left_axis(const PlotSurface& surface, const PlotDescription& plot, Extremes values) {
-  constexpr double kMaxSmall = 1000.0;
-  PlotAxes& axes = (*surface.axes)[static_cast<std::size_t>(plot.id)];
-  if (axes.left.manual) return;
-  const double largest = std::max(std::abs(values.minimum), std::abs(values.maximum));
-  axes.large = plot.left_large.scale > 0.0 && largest * plot.left.scale >= kMaxSmall;
-  axes.left.fit(axis_range(values, in_shown_units(surface, plot).left));
-}
-
-std::string hand_outside(const PlotSurface& surface, const PlotDescription& plot,
-                         double axis_maximum) {
-  const IndexRange range = range_of(surface);
-  if (plot.id != PlotId::kPosition || range.count() == 0) return {};
-  if (!is_drawn(surface, plot, plot.lines.front())) return {};
-  const double highest =
-      surface.history->extremes(&PlantTruth::hand_path_m, range).maximum * plot.left.scale;
-  if (highest <= axis_maximum) return {};
-  return fmt::format("hand to {:.1f} {} ↑", highest, plot.left.unit);
-}
 
 PlotArea draw_plot(PlotSurface& surface, const PlotDescription& general, const std::string& mark,
                    ImVec2 size) {
   ImGui::PushID(general.title);
   PlotAxes& axes = (*surface.axes)[static_cast<std::size_t>(general.id)];
   const float top = ImGui::GetCursorPosY();
-  const IndexRange range = range_of(surface);
+  const IndexRange range = visible_range(surface);
   fit_left_axis(surface, general, axis_values(surface, general, range, Side::kLeft));
   const PlotDescription plot = in_shown_units(surface, general);
   if (surface.heading) {
@@ -328,20 +290,12 @@ PlotArea draw_plot(PlotSurface& surface, const PlotDescription& general, const s
     if (has_axis(surface, plot, side))
       axes.on(side).fit(axis_range(axis_values(surface, plot, range, side), plot.scale_of(side)));
   }
-  const float height = std::max(1.0F, size.y - (ImGui::GetCursorPosY() - top));
-  ImGui::PushFont(surface.theme->fonts.digits, kSmallFontSize);
-  double length_s = surface.window->length_s();
-  const bool visible = ImPlot::BeginPlot(fmt::format("##plot {}", plot.title).c_str(),
-                                         ImVec2(size.x, height), plot_flags(surface.interactive));
-  if (!visible) axes.area = {};
-  if (visible) {
-    set_up_axes(surface, plot, axes, &length_s);
-    draw_contents(surface, plot, range);
-    if (surface.interactive) notice_input(surface, plot, axes);
-    axes.area = {ImPlot::GetPlotPos(), ImPlot::GetPlotSize()};
-    ImPlot::EndPlot();
+  const ImVec2 left(size.x, std::max(1.0F, size.y - (ImGui::GetCursorPosY() - top)));
+  if (surface.theme->prints()) {
+    draw_printed(surface, plot, axes, left);
+  } else {
+    draw_axes_and_contents(surface, plot, axes, left);
   }
-  ImGui::PopFont();
   ImGui::PopID();
   return axes.area;
 }

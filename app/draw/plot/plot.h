@@ -47,6 +47,7 @@ struct PlotAxes {
   ValueAxis right;
   ValueAxis far_right;
   bool large = false;  // the left axis has the large unit of its plot
+  double knee = 0.0;   // of a left axis that is a symlog one (ticks.h), in its unit
   PlotArea area;
 
   [[nodiscard]] ValueAxis& on(Side side) {
@@ -69,6 +70,7 @@ struct PlotSurface {
   Cursors* cursors = nullptr;                // null: none
   std::optional<double> contact_s;           // the contact that the trigger shows
   std::vector<BoundLine> bounds;             // bounds in the stiffness plot
+  std::size_t axis = 0;                      // 1: y, in the title of a printed axis
   DeviceSettings device;                     // supplies encoder count and force limit
   std::span<const ExtraTrace> extra_traces;  // traces of other runs
   PlotMarks marks;                           // marks of recordings
@@ -82,13 +84,16 @@ struct PlotSurface {
   bool heading = true;       // shown above the plot
   bool line_names = true;    // shown at the ends of the lines
   float line_weight = kLineWeight;
+  float column = 1.0F;      // pixels of a column of a band
+  float title_room = 0.0F;  // pixels at the left of a printed plot for its axis title; 0: no title
   bool wants_newest = false;        // set when the user asks for the automatic time axis
   std::optional<double> pointed_s;  // set to the time under the pointer
 };
 
 // Draws a heading with the legend and the plot below it into `size`. `mark` precedes the title: the
-// paper's "(a)". Wheel and drag change the time axis in the plot and the value axis over that axis;
-// a right drag zooms into a rectangle; a double click makes both automatic again.
+// paper's "(a)". In print the axes have titles and chosen ticks, and the heading has no title.
+// Wheel and drag change the time axis in the plot and the value axis over that axis; a right drag
+// zooms into a rectangle; a double click makes both automatic again.
 PlotArea draw_plot(PlotSurface& surface, const PlotDescription& plot, const std::string& mark,
                    ImVec2 size);
 
@@ -98,6 +103,9 @@ PlotArea draw_plot(PlotSurface& surface, const PlotDescription& plot, const std:
 // The plot in the units that its axes show, with the smallest span of the device's encoder.
 [[nodiscard]] PlotDescription in_shown_units(const PlotSurface& surface,
                                              const PlotDescription& plot);
+
+// "force F (N)", of a plot in shown units.
+[[nodiscard]] std::string axis_title(const PlotSurface& surface, const PlotDescription& plot);
 
 // Fits the left axis to values in SI units, and chooses its unit, unless the user has set the axis.
 void fit_left_axis(const PlotSurface& surface, const PlotDescription& plot, Extremes values);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <optional>
 
+#include "app/draw/axis/symbol_text.h"
 #include "app/draw/plot/dashes.h"
 
 namespace hapticwall::draw {
@@ -94,9 +95,9 @@ void draw_bounds(const Theme& theme, const std::vector<BoundLine>& all, double s
   }
   for (const BoundLine& bound : bounds) {
     if (!limits.Y.Contains(bound.value * scale)) continue;
-    const ImVec2 size = ImGui::CalcTextSize(bound.label.c_str());
+    const ImVec2 size = symbol_text_size(bound.label);
     if (const auto place = label_place(ink, area, y_of(bound), size))
-      list->AddText(*place, theme.packed(Tone::kText, 0.9F), bound.label.c_str());
+      add_symbol_text(*list, *place, theme.packed(Tone::kText, 0.9F), bound.label);
   }
   ImPlot::PopPlotClipRect();
 }

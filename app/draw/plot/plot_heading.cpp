@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 
+#include "app/draw/axis/symbol_text.h"
+
 namespace hapticwall::draw {
 namespace {
 
@@ -24,8 +26,7 @@ std::string entry_text(const PlotDescription& plot, const PlotLine& line) {
 }
 
 float entry_width(const std::string& text) {
-  return ImGui::CalcTextSize(text.c_str()).x +
-         (kHeadingNameEms + kEntryTailEms) * ImGui::GetFontSize();
+  return symbol_text_size(text).x + (kHeadingNameEms + kEntryTailEms) * ImGui::GetFontSize();
 }
 
 struct LegendEntry {
@@ -45,8 +46,8 @@ void draw_dash(const PlotSurface& surface, const LegendEntry& entry) {
                          ImVec2(entry.corner.x + kDashEms * em, middle)};
   draw_dashed(list, piece, entry.colour, entry.weight * em, entry.dash,
               kDashShare * ImGui::GetStyle().FontScaleMain);
-  list->AddText(ImVec2(entry.corner.x + kHeadingNameEms * em, entry.corner.y),
-                surface.theme->packed(Tone::kText, 0.85F * entry.alpha), entry.text.c_str());
+  add_symbol_text(*list, ImVec2(entry.corner.x + kHeadingNameEms * em, entry.corner.y),
+                  surface.theme->packed(Tone::kText, 0.85F * entry.alpha), entry.text);
 }
 
 // One entry of the legend; a click hides or shows the line.
@@ -112,32 +113,39 @@ class LegendRows {
   ImVec2 place_;
 };
 
-// Begins at `left`; flush right if one row is enough, else in as many rows as needed. `hand`: the
-// entry of the hand, if it is not its name. Returns the bottom.
-float draw_legend(PlotSurface& surface, const PlotDescription& plot, const std::string& hand,
-                  float left, ImVec2 corner, float width) {
-  const float gap = ems(kEntryGapEms);
-  const auto text_of = [&](const PlotLine& line) {
-    return line.tone == Tone::kHand && !hand.empty() ? hand : entry_text(plot, line);
-  };
-  float total = -gap;
-  for (const PlotLine& line : plot.lines) {
-    if (is_chosen(surface, plot, line))
-      total += entry_width(text_of(shown_line(surface, plot, line))) + gap;
-  }
-  const float right = corner.x + width;
-  total += extra_legend_width(surface, plot);
-  LegendRows rows(corner, std::max(left, right - total), right);
+// The entry of a line; `hand`: that of the hand, if it is not its name.
+std::string text_of(const PlotDescription& plot, const PlotLine& line, const std::string& hand) {
+  return line.tone == Tone::kHand && !hand.empty() ? hand : entry_text(plot, line);
+}
+
+void draw_entries(PlotSurface& surface, const PlotDescription& plot, const std::string& hand,
+                  LegendRows& rows) {
   for (const PlotLine& line : plot.lines) {
     if (!is_chosen(surface, plot, line)) continue;
     const PlotLine shown = shown_line(surface, plot, line);
-    const std::string text = text_of(shown);
+    const std::string text = text_of(plot, shown, hand);
     draw_legend_entry(surface, plot, shown, text, rows.next(entry_width(text)));
   }
   for (const ExtraTrace& trace : surface.extra_traces) {
     if (is_drawn(surface, plot, trace))
       draw_extra_entry(surface, plot, trace, rows.next(entry_width(trace.label)));
   }
+}
+
+// Begins at `left`; flush right if one row is enough, else in as many rows as needed. `hand`: the
+// entry of the hand, if it is not its name. Returns the bottom.
+float draw_legend(PlotSurface& surface, const PlotDescription& plot, const std::string& hand,
+                  float left, ImVec2 corner, float width) {
+  const float gap = ems(kEntryGapEms);
+  float total = -gap;
+  for (const PlotLine& line : plot.lines) {
+    if (is_chosen(surface, plot, line))
+      total += entry_width(text_of(plot, shown_line(surface, plot, line), hand)) + gap;
+  }
+  const float right = corner.x + width;
+  total += extra_legend_width(surface, plot);
+  LegendRows rows(corner, std::max(left, right - total), right);
+  draw_entries(surface, plot, hand, rows);
   return rows.bottom();
 }
 
@@ -223,15 +231,31 @@ bool is_drawn(const PlotSurface& surface, const PlotDescription& plot, const Plo
 void draw_plot_heading(PlotSurface& surface, const PlotDescription& plot, const std::string& mark,
                        const std::string& hand, float width) {
   const ImVec2 corner = ImGui::GetCursorScreenPos();
-  strong_text(*surface.theme, mark + plot.title);
-  ImGui::SameLine();
-  ImGui::TextDisabled("%s", plot.left.unit);
+  if (surface.theme->prints()) {
+    strong_text(*surface.theme, mark);
+  } else {
+    strong_text(*surface.theme, mark + plot.title);
+    ImGui::SameLine();
+    ImGui::TextDisabled("%s", plot.left.unit);
+  }
   if (surface.interactive) draw_signals_button(surface, plot);
   const FontScope font(nullptr, kSmallFontSize);
   const float left = ImGui::GetItemRectMax().x + ImGui::GetFontSize();
   const float below = ImGui::GetCursorScreenPos().y;
   const float bottom = draw_legend(surface, plot, hand, left, corner, width);
   ImGui::SetCursorScreenPos(ImVec2(corner.x, std::max(below, bottom)));
+}
+
+void draw_plot_legends(PlotSurface& surface, std::span<const LegendOf> plots, float width) {
+  const FontScope font(nullptr, kSmallFontSize);
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  LegendRows rows(corner, corner.x, corner.x + width);
+  for (const LegendOf& each : plots) {
+    ImGui::PushID(each.plot.title);
+    draw_entries(surface, each.plot, each.hand, rows);
+    ImGui::PopID();
+  }
+  ImGui::SetCursorScreenPos(ImVec2(corner.x, rows.bottom()));
 }
 
 }  // namespace hapticwall::draw

@@ -1,6 +1,7 @@
 // The line above a plot: title, unit, legend, and the choice of its signals.
 #pragma once
 
+#include <span>
 #include <string>
 
 #include "app/draw/plot/plot.h"
@@ -22,5 +23,13 @@ namespace hapticwall::draw {
 // hand in the legend, if it is not its name.
 void draw_plot_heading(PlotSurface& surface, const PlotDescription& plot, const std::string& mark,
                        const std::string& hand, float width);
+
+// A plot in a legend of several ones; `hand` as above.
+struct LegendOf {
+  PlotDescription plot;
+  std::string hand;
+};
+// The lines of these plots, in as many rows as they need. Leaves the cursor below.
+void draw_plot_legends(PlotSurface& surface, std::span<const LegendOf> plots, float width);
 
 }  // namespace hapticwall::draw

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/draw/axis/ticks.h"
 #include "app/draw/plot/dashes.h"
 #include "app/draw/plot/sample_history.h"
 #include "app/draw/plot/theme.h"
@@ -47,6 +48,12 @@ struct ValueScale {
   const char* unit = "";
   double scale = 0.0;          // factor from SI values to `unit`
   double smallest_span = 1.0;  // smallest span of the axis, in `unit`
+  double knee = 0.0;           // in `unit`, of a symlog axis (ticks.h); 0: linear
+
+  // The place of an SI value on the axis.
+  [[nodiscard]] double on_axis(double value) const {
+    return knee > 0.0 ? to_symlog(value * scale, knee) : value * scale;
+  }
 };
 
 struct PlotLine {
@@ -70,6 +77,7 @@ struct PlotLine {
 struct PlotDescription {
   PlotId id = PlotId::kPosition;
   const char* title = "";
+  const char* quantity = "";  // name and symbol, for the title of a printed axis
   ValueScale left;
   ValueScale left_large;  // replaces `left` from 1000 of its units; no scale: none
   ValueScale right;

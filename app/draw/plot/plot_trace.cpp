@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "app/draw/axis/ticks.h"
 #include "app/draw/plot/theme.h"
 
 namespace hapticwall::draw {
@@ -13,7 +14,7 @@ constexpr float kFaintAlpha = 0.15F;
 constexpr float kBoldAlpha = 0.5F;
 constexpr double kBoldHeight = 4.0;  // relative to a faint band
 // Clamps far points just outside the screen, within the range of pixel numbers.
-constexpr double kFarPixels = 1e4;
+constexpr double kFarPixels = 1e5;
 constexpr double kFarValue = std::numeric_limits<double>::infinity();
 
 // Conversion from the units of an axis to pixels, for ImPlot's linear axes.
@@ -43,22 +44,25 @@ PlotPixels plot_pixels(ImAxis value_axis) {
           {limits.Y.Max, limits.Y.Min, corner.y, corner.y + size.y}};
 }
 
-// The columns of pixels that the range takes.
-std::size_t columns_of(const TraceSource& source, const PlotPixels& pixels) {
+// The columns that the range takes.
+std::size_t columns_of(const TraceSource& source, const PlotPixels& pixels, float column) {
   const auto time_s = [&](std::size_t i) { return source.history.value(&Sample::time_s, i); };
   const double length_s = time_s(source.range.last - 1) - time_s(source.range.first);
-  return static_cast<std::size_t>(std::max(std::round(length_s * pixels.x.scale), 2.0));
+  return static_cast<std::size_t>(
+      std::max(std::round(length_s * pixels.x.scale / static_cast<double>(column)), 2.0));
 }
 
 void place(const TraceSource& source, SignalShape& shape) {
   const Extremes clip = source.clip.value_or(Extremes{-kFarValue, kFarValue});
-  const auto clipped = [&](double value) {
-    return std::clamp(value, clip.minimum * source.scale, clip.maximum * source.scale);
+  const auto placed = [&](double value) {
+    const double clipped =
+        std::clamp(value, clip.minimum * source.scale, clip.maximum * source.scale);
+    return source.knee > 0.0 ? to_symlog(clipped, source.knee) : clipped;
   };
   for (double& time_s : shape.line.time_s) time_s += source.shift_s;
-  for (double& value : shape.line.value) value = clipped(value);
+  for (double& value : shape.line.value) value = placed(value);
   for (BandColumn& column : shape.band)
-    column = {column.time_s + source.shift_s, clipped(column.low), clipped(column.high)};
+    column = {column.time_s + source.shift_s, placed(column.low), placed(column.high)};
 }
 
 // Columns with the same rows become one box, because narrow boxes are slow in a software renderer.
@@ -74,10 +78,10 @@ void draw_band(const std::vector<BandColumn>& band, const TraceStyle& style,
   for (std::size_t i = 0; i < band.size(); ++i) {
     const float left = pixels.x(band[i].time_s);
     // Up to the next column, unless that is on the other side of a gap.
-    const float next = i + 1 < band.size() ? pixels.x(band[i + 1].time_s) : left + 1.0F;
-    const PixelBox column{
-        {left, std::round(pixels.y(band[i].high))},
-        {next - left < 2.0F ? next : left + 1.0F, std::round(pixels.y(band[i].low))}};
+    const float next = i + 1 < band.size() ? pixels.x(band[i + 1].time_s) : left + style.column;
+    const PixelBox column{{left, std::round(pixels.y(band[i].high))},
+                          {next - left < 2.0F * style.column ? next : left + style.column,
+                           std::round(pixels.y(band[i].low))}};
     if (i > 0 && column.from.x == box.to.x && column.from.y == box.from.y &&
         column.to.y == box.to.y) {
       box.to.x = column.to.x;
@@ -111,8 +115,8 @@ void draw_trace(const TraceSource& source, const TraceStyle& style, ImAxis value
                 PlotScratch& scratch) {
   const PlotPixels pixels = plot_pixels(value_axis);
   SignalShape& shape = scratch.shape;
-  shape_signal(source.history, source.quantity, source.range, columns_of(source, pixels),
-               source.scale, shape);
+  shape_signal(source.history, source.quantity, source.range,
+               columns_of(source, pixels, style.column), source.scale, shape);
   place(source, shape);
   scratch.points.clear();
   for (std::size_t i = 0; i < shape.line.value.size(); ++i)

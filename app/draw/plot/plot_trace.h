@@ -21,6 +21,7 @@ struct TraceSource {
   double shift_s = 0.0;  // plot time of the history's time 0
   // Values beyond these are drawn at the edge; SI.
   std::optional<Extremes> clip = std::nullopt;
+  double knee = 0.0;  // of a symlog axis (ticks.h); 0: the axis is linear
 };
 
 struct TraceStyle {
@@ -32,6 +33,7 @@ struct TraceStyle {
   // bold.
   double faint_height = 1.0;
   float band_strength = 1.0F;   // 0: no band
+  float column = 1.0F;          // pixels of a column of a band
   const char* label = nullptr;  // label at the line's end; null: none
 };
 

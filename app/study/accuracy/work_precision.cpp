@@ -64,11 +64,9 @@ LogSeries series_of(const AccuracyStudy& study, const SeriesStyle& style, ErrorO
   return series;
 }
 
-LogPlot plot_of(const AccuracyStudy& study, const char* title, const char* unit, ErrorOf error_of) {
+LogPlot plot_of(const AccuracyStudy& study, ErrorOf error_of) {
   LogPlot plot;
-  plot.title = title;
-  plot.unit = unit;
-  plot.x_title = "cost, ns per tick";
+  plot.x_title = "cost (ns per tick)";
   plot.nothing = "no run has an error to show";
   for (const SeriesStyle& style : kSeries) {
     plot.series.push_back(series_of(study, style, error_of));
@@ -102,9 +100,14 @@ std::string diverged_runs(const AccuracyStudy& study) {
 }  // namespace
 
 draw::LogFigure work_precision(const AccuracyStudy& study) {
-  LogPlot position = plot_of(study, "(a) Largest error of position", "m", position_error_m);
-  LogPlot amplitude =
-      plot_of(study, "(b) Error of the tail's amplitude", "%", amplitude_error_percent);
+  LogPlot position = plot_of(study, position_error_m);
+  position.title = "(a) Largest error of position";
+  position.quantity = "largest error |Δx|";
+  position.unit = "m";
+  LogPlot amplitude = plot_of(study, amplitude_error_percent);
+  amplitude.title = "(b) Error of the tail's amplitude";
+  amplitude.quantity = "amplitude error";
+  amplitude.unit = "%";
   amplitude.goal = 1.0;  // percent: good enough for most
   if (study.reference.verdict != Verdict::kOscillating) {
     amplitude.nothing = "the reference does not oscillate: there is no oscillation to be off from";

@@ -12,8 +12,8 @@ using draw::LogSeries;
 using draw::Mark;
 using draw::Tone;
 
-constexpr std::array kTones{Tone::kForce, Tone::kPosition, Tone::kGood,     Tone::kWarning,
-                            Tone::kBad,   Tone::kHand,     Tone::kStiffness};
+constexpr std::array kTones{Tone::kForce, Tone::kPosition, Tone::kStiffness, Tone::kHand,
+                            Tone::kHold,  Tone::kText,     Tone::kWallForce};
 constexpr std::array kMarks{Mark::kCircle, Mark::kSquare, Mark::kDiamond};
 
 // The largest energy so far; the last, hollow mark is the typical energy of the hand of the table.
@@ -38,6 +38,7 @@ LogSeries series_of(const Row& row, std::size_t index) {
 draw::LogFigure gains_figure(const worst_hand::Plan& plan, const std::vector<Row>& rows) {
   draw::LogPlot plot;
   plot.title = "Largest energy that a hand took";
+  plot.quantity = "energy E";
   plot.unit = "J";
   plot.x_title = "hands tried";
   plot.nothing = "no hand took energy; that proves nothing";

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "app/draw/figure/map_field.h"
+#include "app/draw/figure/map_legend.h"
 #include "app/draw/plot/tail.h"
 #include "app/ui/page/map_controls.h"
 #include "app/ui/page/map_state.h"
@@ -135,10 +136,10 @@ void compute(LiveMap& live, const StabilityMap& map) {
 
 float line_scale() { return ImGui::GetFontSize() / draw::kFontSize; }
 
-void draw_map_keys(const MapPicture* picture) {
+void draw_map_keys(const PanelContext& context, const MapPicture* picture) {
   if (picture == nullptr) return;
   ImGui::Spacing();
-  draw::draw_map_legend(picture->bounds, line_scale());
+  draw::draw_map_legend(context.theme, picture->figures(), picture->bounds, line_scale());
 }
 
 void draw_picture(const PanelContext& context, const LiveMap& live, const StabilityMap& map) {
@@ -170,7 +171,7 @@ void draw_map_page(const PanelContext& context, MapState& state) {
   draw_progress(context, state.live, map);
   draw_note(context);
   draw_map_controls(context, state.choice, map);
-  draw_map_keys(state.live.picture());
+  draw_map_keys(context, state.live.picture());
   ImGui::EndChild();
   ImGui::SameLine(0.0F, ems(kGapEms));
   ImGui::BeginChild("map", ImVec2(0.0F, 0.0F), ImGuiChildFlags_None, ImGuiWindowFlags_NoBackground);

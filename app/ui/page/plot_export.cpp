@@ -18,9 +18,6 @@
 namespace hapticwall::ui {
 namespace {
 
-constexpr draw::FigureSize kFigureSize{1600, 1200};
-constexpr draw::FigureSize kFigureSizeWithPlane{2400, 1200};
-
 // The window may reach beyond the samples.
 std::string name_of(const PanelContext& context, const draw::SampleHistory& history,
                     draw::IndexRange range) {
@@ -40,6 +37,7 @@ draw::FigureView figure_view(const PanelContext& context) {
   if (plots.persisted.show_bounds) view.bounds = bounds_of(context);
   if (context.shows.axis == Axis::kX) view.extra_traces = plots.transient.extra_traces;
   view.marks = {context.session.marks(), context.session.scene().sampling.rate_hz};
+  view.axis = static_cast<std::size_t>(context.shows.axis);
   view.phase = plots.persisted.phase;
   return view;
 }
@@ -49,8 +47,7 @@ draw::FigureView figure_view(const PanelContext& context) {
 Result<file::Picture> draw_elsewhere(const Scene& scene, const draw::SampleHistory& history,
                                      const draw::FigureView& view) {
   Result<file::Picture> picture = Error{};
-  const draw::FigureSize size = view.phase.shown ? kFigureSizeWithPlane : kFigureSize;
-  std::async(std::launch::async, [&] { picture = draw_figure(scene, history, view, size); }).get();
+  std::async(std::launch::async, [&] { picture = draw_figure(scene, history, view); }).get();
   return picture;
 }
 

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -10,13 +12,12 @@
 #include "app/file/scene/scene_file.h"
 #include "core/algorithm/algorithm.h"
 #include "core/run/simulate.h"
+#include "tests/app/draw/figure/page_texts.h"
 #include "tests/app/draw/figure/vector_files.h"
 #include "tests/app/ui/pixels.h"
 
 namespace hapticwall::draw {
 namespace {
-
-constexpr FigureSize kSmall{1200, 700};
 
 Scene press() {
   Scene scene = file::load_scene("press")->scene;
@@ -33,17 +34,68 @@ ComparedRun run(Scene scene, const char* algorithm) {
   return {std::move(summary), std::move(history)};
 }
 
-// Pixels of a tone in one of four rows of plots, in the columns [from, to) of pixels; less the
-// heading of the row.
-int count(const file::Picture& figure, Tone tone, int row, int from, int to, int tolerance = 24) {
-  const int head = figure.height / 6;
-  const int each = (figure.height - head) / 4;
-  const int legend = figure.height / 24;
-  const int top = head + row * each;
-  const ImVec4 colour = theme_colours(Look::kPrint)[static_cast<std::size_t>(tone)];
-  return test::count_pixels(figure, test::colour_of(colour), from, top + legend, to, top + each,
-                            tolerance);
-}
+// A comparison as pixels, with the places of its plots.
+class Drawn {
+ public:
+  Drawn(const Scene& scene, std::span<const ComparedRun> runs, double width_mm = kDoubleWidthMm) {
+    const auto pixels = draw_comparison(scene, runs, {width_mm});
+    const auto shapes = draw_comparison(scene, runs, {width_mm, Ink::kShapes});
+    EXPECT_TRUE(pixels.ok() && shapes.ok());
+    if (!pixels.ok() || !shapes.ok()) return;
+    pixels_ = *pixels;
+    shapes_ = *shapes;
+    for (const file::DrawnText& text : test::texts_of(shapes_)) {
+      if (text.text.starts_with("time")) feet_.push_back(text.ink);
+      for (const ComparedRun& run : runs)
+        if (text.text == run.summary.algorithm) heads_.push_back(text.ink);
+    }
+  }
+  [[nodiscard]] const file::Picture& pixels() const { return pixels_; }
+  [[nodiscard]] const file::Picture& shapes() const { return shapes_; }
+
+  // The plot of a run in one of four rows. Each run has its name above and the title of the time
+  // axis below its plots.
+  [[nodiscard]] test::PixelArea plot(std::size_t run, int row) const {
+    constexpr double kHeading = 110.0;  // pixels from the name to the plots: three or four lines
+    constexpr double kTimeAxis = 45.0;  // pixels from the plots to the title
+    const cairo_rectangle_t& head = heads_.at(run);
+    const cairo_rectangle_t& foot = feet_.at(run);
+    const double top = head.y + kHeading;
+    const double each = (foot.y - kTimeAxis - top) / 4.0;
+    const double right = 2.0 * (foot.x + 0.5 * foot.width) - head.x;
+    return {static_cast<int>(head.x), static_cast<int>(top + row * each), static_cast<int>(right),
+            static_cast<int>(top + (row + 1) * each)};
+  }
+  // Pixels of a tone in it.
+  [[nodiscard]] int count(Tone tone, std::size_t run, int row, int tolerance = 24) const {
+    const test::PixelArea area = plot(run, row);
+    return test::count_pixels(pixels_, colour_of(tone), area.left, area.top, area.right,
+                              area.bottom, tolerance);
+  }
+  // Their mean height, 0 at the bottom of the plot to 1.
+  [[nodiscard]] double height_of(Tone tone, std::size_t run, int row) const {
+    const test::PixelArea area = plot(run, row);
+    double sum = 0.0;
+    int pixels = 0;
+    for (int y = area.top; y < area.bottom; ++y) {
+      const int here =
+          test::count_pixels(pixels_, colour_of(tone), area.left, y, area.right, y + 1, 60);
+      sum += static_cast<double>(here) * (area.bottom - y);
+      pixels += here;
+    }
+    return sum / std::max(pixels, 1) / (area.bottom - area.top);
+  }
+
+ private:
+  [[nodiscard]] static test::Colour colour_of(Tone tone) {
+    return test::colour_of(theme_colours(Look::kPrint)[static_cast<std::size_t>(tone)]);
+  }
+
+  file::Picture pixels_;
+  file::Picture shapes_;
+  std::vector<cairo_rectangle_t> heads_;
+  std::vector<cairo_rectangle_t> feet_;
+};
 
 bool half_is_white(const file::Picture& figure) {
   return test::count_pixels(figure, {255, 255, 255}, 0, 0, figure.width, figure.height) >
@@ -55,23 +107,15 @@ TEST(ComparisonFigure, HasEachOfItsLinesInTheColumnOfEveryAlgorithm) {
   for (const AlgorithmDescription& algorithm : algorithms()) {
     runs.push_back(run(press(), std::string(algorithm.name).c_str()));
   }
-  const FigureSize size = comparison_size(runs.size());
-  const auto figure = draw_comparison(press(), runs, size);
-  ASSERT_TRUE(figure.ok()) << figure.error().message;
-  ASSERT_EQ(figure->width, 2400);
-  ASSERT_EQ(figure->height, 1400);
+  const Drawn figure(press(), runs);
   constexpr int kEnoughPixels = 40;
-  const int columns = static_cast<int>(runs.size());
-  for (int column = 0; column < columns; ++column) {
-    const int from = figure->width * column / columns;
-    const int to = figure->width * (column + 1) / columns;
+  for (std::size_t column = 0; column < runs.size(); ++column) {
     // A flat line falls between two rows of pixels. The quotient of means is all flat and takes no
     // more than two thirds of each; white and the grid are twice as far from its colour.
     constexpr int kBlurred = 60;
     constexpr int kBetweenRows = 100;
     const auto pixels = [&](Tone tone, int row) {
-      const int tolerance = tone == Tone::kStiffness ? kBetweenRows : kBlurred;
-      return count(*figure, tone, row, from, to, tolerance);
+      return figure.count(tone, column, row, tone == Tone::kStiffness ? kBetweenRows : kBlurred);
     };
     EXPECT_GT(pixels(Tone::kPosition, 0), kEnoughPixels) << column;
     EXPECT_GT(pixels(Tone::kHand, 0), kEnoughPixels) << column;
@@ -79,8 +123,38 @@ TEST(ComparisonFigure, HasEachOfItsLinesInTheColumnOfEveryAlgorithm) {
     EXPECT_GT(pixels(Tone::kForce, 1), kEnoughPixels) << column;
     EXPECT_GT(pixels(Tone::kStiffness, 2), kEnoughPixels) << column;
     EXPECT_GT(pixels(Tone::kObserver, 3), kEnoughPixels) << column;
-    EXPECT_LT(pixels(Tone::kObserver, 1), kEnoughPixels) << column;
+    EXPECT_LT(pixels(Tone::kObserver, 1), 2 * kEnoughPixels) << column << ": subscripts' edges";
   }
+}
+
+TEST(ComparisonFigure, HasAtMostFourColumnsAndOnlyTheChosenRuns) {
+  EXPECT_EQ(compared_columns({}, 1), 1U);
+  EXPECT_EQ(compared_columns({}, 3), 3U);
+  EXPECT_EQ(compared_columns({}, 16), 4U);
+  EXPECT_EQ(compared_columns({kSingleWidthMm}, 16), 2U);
+  const std::vector<ComparedRun> runs{run(press(), "none"), run(press(), "half-sample")};
+  const std::string texts = test::all_texts(Drawn(press(), runs).shapes());
+  for (const AlgorithmDescription& algorithm : algorithms()) {
+    const bool chosen = algorithm.name == "none" || algorithm.name == "half-sample";
+    EXPECT_EQ(texts.find("\n" + std::string(algorithm.name) + "\n") != std::string::npos, chosen)
+        << algorithm.name;
+  }
+}
+
+// A linear axis for 1000 mJ would draw 1 mJ as a line of zero.
+TEST(ComparisonFigure, TheAxisOfEnergyShowsTheSettledRunsToo) {
+  EXPECT_EQ(comparison_knee({}), 0.0);
+  EXPECT_EQ(comparison_knee(std::array{10.0, 100.0}), 0.0) << "both are seen";
+  EXPECT_DOUBLE_EQ(comparison_knee(std::array{2.0, 1000.0}), 0.1);
+  EXPECT_DOUBLE_EQ(comparison_knee(std::array{1000.0, 0.0}), 1e-3) << "zero has no decade";
+  const std::vector<ComparedRun> runs{run(press(), "virtual-coupling"), run(press(), "none")};
+  const Drawn figure(press(), runs);
+  const std::string texts = test::all_texts(figure.shapes());
+  EXPECT_NE(texts.find("logarithmic beyond"), std::string::npos);
+  // The observer of the quiet run leaves the line of zero by a good part of the plot.
+  const std::vector<ComparedRun> alone{runs.front(), runs.front()};
+  EXPECT_GT(figure.count(Tone::kObserver, 0, 3),
+            Drawn(press(), alone).count(Tone::kObserver, 0, 3) / 2);
 }
 
 // tests/app/ui/page/all_page_test.cpp expects the same of the window.
@@ -90,11 +164,11 @@ TEST(ComparisonFigure, AVerdictHasTheColourOfItsGrade) {
   const auto pixels = [&](Verdict verdict, Tone tone) {
     ComparedRun shown = run(press(), "none");
     shown.summary.verdict = verdict;
-    const auto figure = draw_comparison(press(), std::vector{shown}, kSmall);
+    const auto figure = draw_comparison(press(), std::vector{shown});
     EXPECT_TRUE(figure.ok());
     const ImVec4 colour = theme_colours(Look::kPrint)[static_cast<std::size_t>(tone)];
     return test::count_pixels(*figure, test::colour_of(colour), 0, 0, figure->width,
-                              figure->height / 6, kBlurred);
+                              figure->height / 3, kBlurred);
   };
   for (const Verdict verdict : kVerdicts) {
     for (const Verdict other : kVerdicts) {
@@ -105,19 +179,17 @@ TEST(ComparisonFigure, AVerdictHasTheColourOfItsGrade) {
   }
 }
 
-// Beside a wall that shakes, the same quiet one is drawn as low as the shared axis has it.
+// Beside a stiff wall, the same soft one is drawn as low as the shared axis has it.
 TEST(ComparisonFigure, SharesTheAxesOfARow) {
-  const ComparedRun quiet = run(press(), "virtual-coupling");
-  const ComparedRun shaking = run(press(), "none");
-  const auto two_quiet = draw_comparison(press(), std::vector{quiet, quiet}, kSmall);
-  const auto both = draw_comparison(press(), std::vector{quiet, shaking}, kSmall);
-  ASSERT_TRUE(two_quiet.ok() && both.ok());
-  const int half = kSmall.width / 2;
-  // The pixels of the left plots of energy: spread over the height, or flat.
-  constexpr int kEnergyRow = 3;
-  const int spread = count(*two_quiet, Tone::kBudget, kEnergyRow, 0, half);
-  const int flat = count(*both, Tone::kBudget, kEnergyRow, 0, half);
-  EXPECT_GT(spread, 2 * flat);
+  constexpr int kStiffnessRow = 2;
+  const ComparedRun soft = run(press(), "virtual-coupling");
+  const ComparedRun stiff = run(press(), "energy-bounding");
+  const Drawn alone(press(), std::vector{soft, soft});
+  const Drawn both(press(), std::vector{soft, stiff});
+  const double own = alone.height_of(Tone::kStiffness, 0, kStiffnessRow);
+  const double shared = both.height_of(Tone::kStiffness, 0, kStiffnessRow);
+  EXPECT_GT(shared, 0.0);
+  EXPECT_GT(own, shared + 0.3);
 }
 
 TEST(ComparisonFigure, ARunThatDivergedDoesNotStretchTheAxesOfOthers) {
@@ -128,25 +200,22 @@ TEST(ComparisonFigure, ARunThatDivergedDoesNotStretchTheAxesOfOthers) {
   scene.x().device.force_limit_n.reset();
   const ComparedRun diverged = run(scene, "none");
   ASSERT_EQ(diverged.summary.verdict, Verdict::kDiverged);
-  const auto alone = draw_comparison(press(), std::vector{quiet, quiet}, kSmall);
-  const auto beside = draw_comparison(press(), std::vector{quiet, diverged}, kSmall);
-  ASSERT_TRUE(alone.ok() && beside.ok());
-  const int half = kSmall.width / 2;
+  const Drawn alone(press(), std::vector{quiet, quiet});
+  const Drawn beside(press(), std::vector{quiet, diverged});
   for (int row = 0; row < 4; ++row) {
-    for (const Tone tone : {Tone::kPosition, Tone::kForce, Tone::kStiffness, Tone::kBudget}) {
-      EXPECT_EQ(count(*alone, tone, row, 0, half - 10), count(*beside, tone, row, 0, half - 10));
-    }
+    for (const Tone tone : {Tone::kPosition, Tone::kForce, Tone::kStiffness, Tone::kBudget})
+      EXPECT_EQ(alone.count(tone, 0, row), beside.count(tone, 0, row)) << row;
   }
   // Alone it has axes of its own.
-  EXPECT_TRUE(draw_comparison(press(), std::vector{diverged}, kSmall).ok());
+  EXPECT_TRUE(draw_comparison(press(), std::vector{diverged}).ok());
 }
 
 TEST(ComparisonFigure, IsTheSameEveryTimeAndDependsOnTheOrder) {
   const ComparedRun a = run(press(), "none");
   const ComparedRun b = run(press(), "energy-bounding");
-  const auto first = draw_comparison(press(), std::vector{a, b}, kSmall);
-  const auto second = draw_comparison(press(), std::vector{a, b}, kSmall);
-  const auto other = draw_comparison(press(), std::vector{b, a}, kSmall);
+  const auto first = draw_comparison(press(), std::vector{a, b});
+  const auto second = draw_comparison(press(), std::vector{a, b});
+  const auto other = draw_comparison(press(), std::vector{b, a});
   ASSERT_TRUE(first.ok() && second.ok() && other.ok());
   EXPECT_EQ(first->rgba, second->rgba);
   EXPECT_NE(first->rgba, other->rgba);
@@ -156,51 +225,51 @@ TEST(ComparisonFigure, SaysWhichAxisItIsOf) {
   const std::vector<ComparedRun> runs{run(press(), "none")};
   Scene corner = press();
   corner.axes.push_back(file::load_scene("corner")->scene.axes.at(1));
-  const auto one_axis = draw_comparison(press(), runs, kSmall);
-  const auto two_axes = draw_comparison(corner, runs, kSmall);
+  const auto one_axis = draw_comparison(press(), runs);
+  const auto two_axes = draw_comparison(corner, runs);
   ASSERT_TRUE(one_axis.ok() && two_axes.ok());
   EXPECT_NE(one_axis->rgba, two_axes->rgba);
 }
 
 TEST(ComparisonFigure, NamesWhatFollowsInItsTitleAlone) {
   std::vector<ComparedRun> runs{run(press(), "none")};
-  const auto short_name = draw_comparison(press(), runs, kSmall);
+  const auto short_name = draw_comparison(press(), runs);
   runs.front().summary.algorithm = "none then passivity-control";
-  const auto long_name = draw_comparison(press(), runs, kSmall);
+  const auto long_name = draw_comparison(press(), runs);
   Scene followed = press();
   followed.algorithm.values.at(*find_algorithm_parameter("then")) = 1.0;
-  const auto title = draw_comparison(followed, runs, kSmall);
+  const auto title = draw_comparison(followed, runs);
   ASSERT_TRUE(short_name.ok() && long_name.ok() && title.ok());
   EXPECT_EQ(short_name->rgba, long_name->rgba);
   EXPECT_NE(short_name->rgba, title->rgba);
 }
 
 TEST(ComparisonFigure, APageWithoutRunsIsDrawn) {
-  const auto none = draw_comparison(press(), {}, kSmall);
+  const auto none = draw_comparison(press(), {});
   ASSERT_TRUE(none.ok());
   EXPECT_TRUE(half_is_white(*none));
   const std::vector<ComparedRun> empty{{Summary{}, SampleHistory(1)}};
-  const auto no_samples = draw_comparison(press(), empty, kSmall);
+  const auto no_samples = draw_comparison(press(), empty);
   ASSERT_TRUE(no_samples.ok());
   EXPECT_TRUE(half_is_white(*no_samples));
 }
 
-TEST(ComparisonFigure, GrowsWithItsColumns) {
-  EXPECT_EQ(comparison_size(1).width, comparison_size(8).width);
-  EXPECT_GT(comparison_size(kMaxComparedRuns).width, comparison_size(8).width);
-  const std::vector<ComparedRun> runs(kMaxComparedRuns, run(press(), "force-bounding"));
-  EXPECT_TRUE(draw_comparison(press(), runs, comparison_size(runs.size())).ok());
-}
-
-TEST(ComparisonFigure, RefusesASizeThatIsNone) {
-  EXPECT_FALSE(draw_comparison(press(), {}, {0, 600}).ok());
+TEST(ComparisonFigure, GrowsWithItsRuns) {
+  const ComparedRun one = run(press(), "force-bounding");
+  const auto height = [&](std::size_t runs) {
+    return draw_comparison(press(), std::vector(runs, one))->height;
+  };
+  EXPECT_EQ(height(1), height(4));
+  EXPECT_GT(height(kMaxComparedRuns), height(4));
+  const int a4 = static_cast<int>(pixels_of_mm(297.0));
+  EXPECT_LT(height(12), a4);
 }
 
 TEST(ComparisonFigure, IsTheSameInVectorFiles) {
   std::vector<ComparedRun> runs;
   for (const char* name : {"energy-bounding", "none"}) runs.push_back(run(press(), name));
   test::expect_same_in_vector_files(
-      [&](Ink ink) { return draw_comparison(press(), runs, kSmall.in(ink)); });
+      [&](Ink ink) { return draw_comparison(press(), runs, Paper{}.in(ink)); });
 }
 
 }  // namespace

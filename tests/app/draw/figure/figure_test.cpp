@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <png.h>
 
+#include <array>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <vector>
@@ -12,6 +14,7 @@
 #include "app/file/scene/scene_file.h"
 #include "core/algorithm/algorithm.h"
 #include "core/run/simulate.h"
+#include "tests/app/draw/figure/page_texts.h"
 #include "tests/app/draw/figure/vector_files.h"
 #include "tests/app/ui/pixels.h"
 #include "tests/samples.h"
@@ -55,21 +58,21 @@ class NoDisplay {
   std::vector<std::pair<std::string, std::string>> saved_;
 };
 
-// The page has the four plots below each other; each line's colour is in its own plot, beyond the
-// few pixels of the legend.
-void expect_lines_of_four_plots(const file::Picture& figure) {
-  ASSERT_EQ(figure.width, 1600);
-  ASSERT_EQ(figure.height, 1200);
-  ASSERT_EQ(figure.rgba.size(), 4U * 1600U * 1200U);
+// The four plots stand below each other, each below its mark; each line's colour is in its own
+// plot, below the legend. `texts`: the same figure as shapes.
+void expect_lines_of_four_plots(const file::Picture& figure, const file::Picture& texts) {
+  ASSERT_NEAR(figure.width, 2102, 1) << "178 mm at 300 dpi";
+  ASSERT_NEAR(figure.height, texts.height, 1);
+  ASSERT_EQ(figure.rgba.size(), 4U * static_cast<std::size_t>(figure.width * figure.height));
 
-  constexpr int kTitle = 90;
-  constexpr int kPlot = (1200 - kTitle) / 4;
-  constexpr int kLegend = 40;
   constexpr int kEnoughPixels = 80;
-  const auto count = [&](Tone tone, int row) {
+  const std::array tops{test::find_text(texts, "(a)").ink, test::find_text(texts, "(b)").ink,
+                        test::find_text(texts, "(c)").ink, test::find_text(texts, "(d)").ink};
+  const auto count = [&](Tone tone, std::size_t row) {
     const ImVec4 colour = theme_colours(Look::kPrint)[static_cast<std::size_t>(tone)];
-    const int top = kTitle + row * kPlot;
-    return test::count_pixels(figure, test::colour_of(colour), 0, top + kLegend, 1600, top + kPlot);
+    const int top = static_cast<int>(tops.at(row).y + 1.5 * tops.at(row).height);
+    const int bottom = row == 3 ? figure.height : static_cast<int>(tops.at(row + 1).y);
+    return test::count_pixels(figure, test::colour_of(colour), 0, top, figure.width, bottom);
   };
   EXPECT_GT(count(Tone::kPosition, 0), kEnoughPixels);
   EXPECT_GT(count(Tone::kHand, 0), kEnoughPixels);
@@ -89,7 +92,8 @@ TEST(Figure, ShowsTheLinesOfAllFourPlotsWithoutADisplay) {
   const PressRun run = run_press("none");
   const Result<file::Picture> figure = draw_figure(run.scene, run.samples);
   ASSERT_TRUE(figure.ok()) << figure.error().message;
-  expect_lines_of_four_plots(*figure);
+  expect_lines_of_four_plots(*figure,
+                             *draw_figure(run.scene, run.samples, Paper{}.in(Ink::kShapes)));
 }
 
 TEST(Figure, ShowsTheLinesOfAllFourPlotsInVectorFiles) {
@@ -97,13 +101,13 @@ TEST(Figure, ShowsTheLinesOfAllFourPlotsInVectorFiles) {
   const PressRun run = run_press("none");
   const auto draw = [&](Ink ink) { return draw_figure(run.scene, run.samples, {.ink = ink}); };
   for (const char* ending : {".svg", ".pdf"})
-    expect_lines_of_four_plots(test::FigureFile(draw, ending).drawn());
+    expect_lines_of_four_plots(test::FigureFile(draw, ending).drawn(), *draw(Ink::kShapes));
 }
 
 TEST(Figure, IsTheSameEveryTimeAndDependsOnTheRun) {
   const PressRun none = run_press("none");
   const PressRun bounded = run_press("energy-bounding");
-  constexpr FigureSize kSize{800, 600};
+  constexpr Paper kSize{kSingleWidthMm};
   const auto first = draw_figure(none.scene, none.samples, kSize);
   const auto second = draw_figure(none.scene, none.samples, kSize);
   const auto other = draw_figure(bounded.scene, bounded.samples, kSize);
@@ -113,22 +117,24 @@ TEST(Figure, IsTheSameEveryTimeAndDependsOnTheRun) {
 }
 
 TEST(Figure, APageWithoutSamplesIsDrawn) {
-  const auto figure = draw_figure(file::load_scene("press")->scene, {}, {640, 480});
+  const auto figure = draw_figure(file::load_scene("press")->scene, {});
   ASSERT_TRUE(figure.ok());
-  EXPECT_GT(test::count_pixels(*figure, {255, 255, 255}, 0, 0, 640, 480), 640 * 480 / 2);
+  const int white =
+      test::count_pixels(*figure, {255, 255, 255}, 0, 0, figure->width, figure->height);
+  EXPECT_GT(white, figure->width * figure->height / 2);
 }
 
-TEST(Figure, RefusesASizeThatIsNone) {
-  for (const FigureSize size : {FigureSize{0, 600}, FigureSize{800, -1}, FigureSize{800, 100000}}) {
-    const auto figure = draw_figure(file::load_scene("press")->scene, {}, size);
-    ASSERT_FALSE(figure.ok());
-    EXPECT_NE(figure.error().message.find("pixels"), std::string::npos);
+TEST(Figure, RefusesAWidthThatIsNone) {
+  for (const double width_mm : {0.0, -1.0, 79.0, 421.0, std::nan("")}) {
+    const auto figure = draw_figure(file::load_scene("press")->scene, {}, {width_mm});
+    ASSERT_FALSE(figure.ok()) << width_mm;
+    EXPECT_NE(figure.error().message.find("80 to 420"), std::string::npos);
   }
 }
 
 TEST(Figure, GoesIntoAPngOfItsSize) {
   const PressRun run = run_press("virtual-coupling");
-  const auto figure = draw_figure(run.scene, run.samples, {900, 700});
+  const auto figure = draw_figure(run.scene, run.samples, {kSingleWidthMm});
   ASSERT_TRUE(figure.ok());
   const std::filesystem::path path =
       std::filesystem::path(::testing::TempDir()) / "hapticwall_figure_test.png";
@@ -136,8 +142,8 @@ TEST(Figure, GoesIntoAPngOfItsSize) {
   png_image image{};
   image.version = PNG_IMAGE_VERSION;
   ASSERT_NE(png_image_begin_read_from_file(&image, path.c_str()), 0);
-  EXPECT_EQ(image.width, 900U);
-  EXPECT_EQ(image.height, 700U);
+  EXPECT_EQ(image.width, 1016U) << "86 mm at 300 dpi";
+  EXPECT_EQ(image.height, static_cast<unsigned>(figure->height));
   png_image_free(&image);
   std::filesystem::remove(path);
 }
@@ -149,15 +155,21 @@ TEST(Figure, IsTheSameInVectorFiles) {
 }
 
 // Two figures stand in one file, like those of both axes of a scene.
-TEST(Figure, TwoOfThemStandBesideEachOtherInVectorFiles) {
+TEST(Figure, TwoOfThemStandBesideOrBelowEachOtherInVectorFiles) {
   const PressRun none = run_press("none");
   const PressRun bounded = run_press("energy-bounding");
   test::expect_same_in_vector_files([&](Ink ink) -> Result<file::Picture> {
-    const FigureSize size{640, 480, ink};
+    const Paper size{kSingleWidthMm, ink};
     const auto left = draw_figure(none.scene, none.samples, size);
     const auto right = draw_figure(bounded.scene, bounded.samples, size);
     if (!left || !right) return left ? right : left;
     return file::beside(*left, *right);
+  });
+  test::expect_same_in_vector_files([&](Ink ink) -> Result<file::Picture> {
+    const auto upper = draw_figure(none.scene, none.samples, {kSingleWidthMm, ink});
+    const auto lower = draw_figure(bounded.scene, bounded.samples, {100.0, ink});
+    if (!upper || !lower) return upper ? lower : upper;
+    return file::below(*upper, *lower);
   });
 }
 
@@ -180,8 +192,24 @@ TEST(Figure, ItsTextStaysTextInAPdf) {
   const test::FigureFile pdf(
       [&](Ink ink) { return draw_figure(run.scene, run.samples, {.ink = ink}); }, ".pdf");
   const std::string text = pdf.passed_through("f() { pdftotext \"$1\" -; }; f");
-  for (const char* words : {"handle 50 g, 1 N·s/m", "(b) Force", "force / penetration"})
+  for (const char* words : {"handle 50 g, 1 N·s/m", "force F (N)", "force / penetration"})
     EXPECT_NE(text.find(words), std::string::npos) << words << "\n" << text;
+}
+
+// A print shop takes the size of the page, and sees no fonts of the machine.
+TEST(Figure, APdfHasTheSizeOfThePaperAndInterAlone) {
+  if (std::system("command -v pdffonts >/dev/null") != 0) GTEST_SKIP() << "there is no pdffonts";
+  const PressRun run = run_press("none");
+  const test::FigureFile pdf(
+      [&](Ink ink) {
+        return draw_figure(run.scene, run.samples, {kSingleWidthMm, ink});
+      },
+      ".pdf");
+  const std::string info = pdf.passed_through("pdfinfo");
+  EXPECT_NE(info.find("Page size:       243.84 x"), std::string::npos) << "86 mm\n" << info;
+  const std::string fonts = pdf.passed_through("pdffonts");
+  EXPECT_NE(fonts.find("Inter"), std::string::npos) << fonts;
+  EXPECT_EQ(fonts.find("Mono"), std::string::npos) << fonts;
 }
 
 }  // namespace

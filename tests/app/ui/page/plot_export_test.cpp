@@ -83,8 +83,7 @@ TEST_F(PlotExportTest, TheFigureGoesIntoAPngAndTheWindowGoesOn) {
   png_image image{};
   image.version = PNG_IMAGE_VERSION;
   ASSERT_NE(png_image_begin_read_from_file(&image, path(files(".png")[0]).c_str()), 0);
-  EXPECT_EQ(image.width, 1600U);
-  EXPECT_EQ(image.height, 1200U);
+  EXPECT_EQ(image.width, 2102U) << "178 mm at 300 dpi";
   png_image_free(&image);
   // The OpenGL context of the window still paints.
   live(100);
@@ -96,16 +95,16 @@ TEST_F(PlotExportTest, TheFigureGoesIntoAPngAndTheWindowGoesOn) {
 TEST_F(PlotExportTest, AFigureShowsTheVisibleRangeThePlotsAndTheSignalsThatAreAskedFor) {
   live(3000);
   constexpr std::array kForceOnly{draw::PlotId::kForce};
-  constexpr draw::FigureSize kSize{800, 400};
   const auto count = [&](const draw::FigureView& view, draw::Tone tone) {
     // The figure is drawn on another thread, because it has an OpenGL context of its own.
     const auto figure = std::async(std::launch::async, [&] {
-                          return draw::draw_figure(scene(), application_->history(), view, kSize);
+                          return draw::draw_figure(scene(), application_->history(), view);
                         }).get();
     EXPECT_TRUE(figure.ok());
     if (!figure) return 0;
-    const ItemRect below_title{ImVec2(0.0F, 80.0F), ImVec2(kSize.width, kSize.height)};
-    return count_tone(*figure, tone, below_title, draw::Look::kPrint);
+    const ImVec2 end(static_cast<float>(figure->width), static_cast<float>(figure->height));
+    const ItemRect below_legend{ImVec2(0.0F, 170.0F), end};
+    return count_tone(*figure, tone, below_legend, draw::Look::kPrint);
   };
   draw::FigureView view;
   view.window = {0.0, 3.0};
