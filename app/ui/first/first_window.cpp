@@ -8,6 +8,7 @@
 
 #include "app/draw/plot/runs_plot.h"
 #include "app/file/text/text.h"
+#include "app/ui/first/presentation.h"
 #include "app/ui/first/wall_card.h"
 #include "app/ui/page/magnifier.h"
 #include "app/ui/panel/replay_bar.h"
@@ -16,7 +17,6 @@
 #include "app/ui/panel/tour_strip.h"
 #include "app/ui/panel/verdict_view.h"
 #include "app/ui/panel/wall_view.h"
-#include "app/ui/state/blind_test.h"
 #include "app/ui/state/comparing.h"
 #include "app/ui/state/time_view.h"
 #include "app/ui/state/window_state.h"
@@ -33,6 +33,7 @@ constexpr float kGapEms = 0.8F;
 constexpr float kCardShare = 0.60F;  // of the height of cards and plots
 constexpr float kPlotPaddingEms = 0.8F;
 constexpr float kLeastEms = 10.0F;  // height of cards and plots in a window without room
+constexpr float kKeySize = 24.0F;   // text of a presentation's keys, pixels at scale 1
 
 CardWall session_card(const FirstParts& parts, Slot slot) {
   const PanelContext& context = parts.page.context;
@@ -208,6 +209,8 @@ void draw_head(const PanelContext& context) {
   for (const HeadButton& each : buttons) {
     const bool pressed = each.chosen ? choice_button(context, each.label, true, each.tooltip)
                                      : button(each.label, each.tooltip);
+    if (each.act == ask_to_reset) point_at_reset(context);
+    if (each.act == open_more) point_at(context, TourPlace::kMore);
     if (pressed) each.act(context);
     ImGui::SameLine();
   }
@@ -239,6 +242,7 @@ void draw_chips(const PanelContext& context) {
     if (i != 0) beside(button_width(label.c_str()));
     const bool pressed =
         i == now ? choice_button(context, label, true, tooltip) : button(label, tooltip);
+    point_at_algorithm(context, i);
     if (pressed) choose_algorithm(context, i);
   }
 }
@@ -263,28 +267,40 @@ void darken(const draw::Theme& theme) {
       theme.packed(draw::Tone::kBackground));
 }
 
+// Leaves `below` pixels free under the plots.
+void draw_walls_and_plots(const FirstParts& parts, float below) {
+  follow_newest(parts.page.context.time, parts.page.history.newest_time_s());
+  const ImVec2 free = ImGui::GetContentRegionAvail();
+  const float height = std::max(free.y - below - 2.0F * ems(kGapEms), ems(kLeastEms));
+  const std::vector<CardWall> cards = cards_of(parts);
+  draw_cards(parts, cards, ImVec2(free.x, kCardShare * height));
+  draw_plots(parts, cards, ImVec2(free.x, (1.0F - kCardShare) * height));
+}
+
+// Walls, plots and large keys, and everything as large as the window has room for.
+void draw_presentation(const FirstParts& parts) {
+  const LargeScope large;
+  const float keys = kKeySize * ImGui::GetStyle().FontScaleMain;
+  draw_walls_and_plots(parts, keys + 2.0F * ImGui::GetStyle().FramePadding.y);
+  const draw::FontScope font(parts.page.context.theme.fonts.strong, kKeySize);
+  draw_chips(parts.page.context);
+}
+
 }  // namespace
 
 bool shows_first_window(const PanelContext& context) {
-  return context.shows.live != nullptr && !context.window.more && !context.shows.hides_algorithm &&
-         OtherWall::exists_for(context.session) && !context.compare.transient.test;
+  return !why_no_two_walls(context) && (context.window.presents || !context.window.more);
 }
 
 void draw_first_window(const FirstParts& parts) {
   const PanelContext& context = parts.page.context;
   darken(context.theme);
+  if (context.window.presents) return draw_presentation(parts);
   draw_head(context);
   draw_rows_of_use(context);
-  follow_newest(context.time, parts.page.history.newest_time_s());
-  const ImVec2 free = ImGui::GetContentRegionAvail();
-  const float gap = ems(kGapEms);
   const ImGuiStyle& style = ImGui::GetStyle();
-  const float below =
-      ImGui::GetFrameHeight() + style.ItemSpacing.y + draw::kSmallFontSize * style.FontScaleMain;
-  const float height = std::max(free.y - below - 2.0F * gap, ems(kLeastEms));
-  const std::vector<CardWall> cards = cards_of(parts);
-  draw_cards(parts, cards, ImVec2(free.x, kCardShare * height));
-  draw_plots(parts, cards, ImVec2(free.x, (1.0F - kCardShare) * height));
+  draw_walls_and_plots(parts, ImGui::GetFrameHeight() + style.ItemSpacing.y +
+                                  draw::kSmallFontSize * style.FontScaleMain);
   draw_chips(context);
   const draw::FontScope font(nullptr, draw::kSmallFontSize);
   draw_foot(context);

@@ -7,9 +7,11 @@
 
 #include "app/ui/page/magnifier.h"
 #include "app/ui/panel/energy_lamp_view.h"
+#include "app/ui/panel/tour_strip.h"
 #include "app/ui/panel/verdict_view.h"
 #include "app/ui/panel/wall_view.h"
 #include "app/ui/state/comparing.h"
+#include "app/ui/state/window_state.h"
 #include "app/ui/widget/widgets.h"
 #include "core/algorithm/algorithm.h"
 
@@ -20,6 +22,9 @@ constexpr float kPaddingEms = 1.0F;
 constexpr float kStripShare = 0.42F;   // of the width inside the padding
 constexpr float kStripGapEms = 0.8F;   // between the picture and the contact
 constexpr float kVerdictSize = 38.0F;  // pixels at scale 1
+constexpr float kPresentedVerdictSize = 40.0F;
+constexpr float kPresentedNameSize = 20.0F;
+constexpr float kNameGapShare = 0.2F;  // below the name, of its line
 constexpr float kCornerRadius = 8.0F;
 constexpr float kLeadingEdge = 2.0F;  // width of the frame of the session's card
 
@@ -53,17 +58,22 @@ void draw_frame(const PanelContext& context, const CardWall& wall, const draw::P
                                       (wall.leads ? kLeadingEdge : 1.0F) * scale);
 }
 
-// Number and name at the left, the role at the right.
-void draw_name(const PanelContext& context, const CardWall& wall, const draw::PixelBox& inside) {
+// Number and name at the left, the role at the right. Returns the lower edge.
+float draw_name(const PanelContext& context, const CardWall& wall, const draw::PixelBox& inside) {
+  const bool presents = context.window.presents;
+  const draw::FontScope name_font(nullptr, presents ? kPresentedNameSize : 0.0F);
+  const float below = inside.from.y + (1.0F + kNameGapShare) * ImGui::GetTextLineHeight();
   ImGui::SetCursorScreenPos(inside.from);
   ImGui::TextColored(context.theme.colour(draw::Tone::kMuted), "%zu", wall.algorithm.index + 1);
   ImGui::SameLine();
   draw::strong_text(context.theme, spoken_name(wall.algorithm));
+  if (presents) return below;
   const char* role = wall.leads ? "leads the session" : "click to lead";
   const draw::FontScope font(nullptr, draw::kSmallFontSize);
   ImGui::SetCursorScreenPos(
       ImVec2(inside.to.x - ImGui::CalcTextSize(role).x, inside.from.y + 1.0F));
   ImGui::TextColored(context.theme.colour(draw::Tone::kMuted), "%s", role);
+  return below;
 }
 
 void draw_sentence(const PanelContext& context, const CardWall& wall,
@@ -74,6 +84,7 @@ void draw_sentence(const PanelContext& context, const CardWall& wall,
   ImGui::PushClipRect(inside.from, inside.to, true);
   ImGui::TextColored(context.theme.colour(draw::Tone::kMuted), "%s", sentence.c_str());
   ImGui::PopClipRect();
+  if (wall.leads) point_at(context, TourPlace::kLamp);
   const AlgorithmDescription& algorithm = algorithms()[wall.algorithm.index];
   explain(fmt::format("{}\n\n{}", sentence, algorithm.equation));
 }
@@ -128,17 +139,21 @@ void draw_wall_card(const FirstParts& parts, WallRenderer& renderer, const CardW
   const ImVec2 padding(ems(kPaddingEms), 0.8F * ems(kPaddingEms));
   const draw::PixelBox inside{ImVec2(box.from.x + padding.x, box.from.y + padding.y),
                               ImVec2(box.to.x - padding.x, box.to.y - padding.y)};
-  draw_name(context, wall, inside);
-  ImGui::SetCursorScreenPos(ImVec2(inside.from.x, inside.from.y + ImGui::GetTextLineHeight()));
-  draw_verdict_words(context.theme, draw::verdict_words(wall.tail), kVerdictSize);
-  const float scale = ImGui::GetStyle().FontScaleMain;
-  const float top = inside.from.y + ImGui::GetTextLineHeight() + 1.3F * kVerdictSize * scale;
-  const float bottom = inside.to.y - 1.7F * ImGui::GetTextLineHeight();
+  const bool presents = context.window.presents;
+  const float below_name = draw_name(context, wall, inside);
+  ImGui::SetCursorScreenPos(ImVec2(inside.from.x, below_name));
+  const float size = presents ? kPresentedVerdictSize : kVerdictSize;
+  ImGui::BeginGroup();
+  draw_verdict_words(context.theme, draw::verdict_words(wall.tail), size);
+  ImGui::EndGroup();
+  if (wall.leads) point_at(context, TourPlace::kVerdict);
+  const float top = below_name + 1.3F * size * ImGui::GetStyle().FontScaleMain;
+  const float bottom = inside.to.y - (presents ? 0.0F : 1.7F * ImGui::GetTextLineHeight());
   if (bottom > top) {
     draw_pictures(parts, renderer, wall, {ImVec2(inside.from.x, top), ImVec2(inside.to.x, bottom)},
                   span_m);
   }
-  draw_sentence(context, wall, inside);
+  if (!presents) draw_sentence(context, wall, inside);
   ImGui::PopID();
 }
 

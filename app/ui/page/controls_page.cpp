@@ -3,6 +3,7 @@
 #include "app/ui/panel/loop_panel.h"
 #include "app/ui/panel/replay_panel.h"
 #include "app/ui/panel/sections.h"
+#include "app/ui/panel/tour_strip.h"
 #include "app/ui/state/changes.h"
 #include "app/ui/state/window_state.h"
 #include "app/ui/widget/widgets.h"
@@ -47,12 +48,14 @@ void draw_controls_page(const PanelContext& context) {
   draw_dimmed(context, asked_for(context).algorithm, draw_algorithm_section);
   if (context.window.more) {
     draw_more_sections(context);
-  } else if (button(
-                 "More###more",
-                 "Every parameter, comparison, pages and plot controls. Settings, layout, brings "
-                 "back what is shown now.",
-                 {.width = ImGui::GetContentRegionAvail().x})) {
-    show_more(context.window, context.plots);
+  } else {
+    const bool wanted =
+        button("More###more",
+               "Every parameter, comparison, pages and plot controls. Settings, layout, brings "
+               "back what is shown now.",
+               {.width = ImGui::GetContentRegionAvail().x});
+    point_at(context, TourPlace::kMore);
+    if (wanted) show_more(context.window, context.plots);
   }
   ImGui::EndDisabled();
   ImGui::PopStyleVar();

@@ -5,6 +5,7 @@
 
 #include "app/ui/panel/replay_panel.h"
 #include "app/ui/panel/sections.h"
+#include "app/ui/panel/tour_strip.h"
 #include "app/ui/state/changes.h"
 #include "app/ui/state/compare_state.h"
 #include "app/ui/state/comparing.h"
@@ -53,10 +54,11 @@ void choose_algorithm(const PanelContext& context, std::size_t index) {
                 std::string(algorithms()[index].name));
     return;
   }
+  note_choice(context.tour, index);
   const AlgorithmSettings before = context.session.scene().algorithm;
   AlgorithmSettings changed = before;
   changed.index = index;
-  const bool two_walls = !context.window.more;
+  const bool two_walls = !context.window.more || context.window.presents;
   if (const auto problem = ask_for_algorithm(context, changed)) {
     tell(context.toasts, *problem);
   } else if (two_walls) {
@@ -76,7 +78,9 @@ void draw_algorithm_section(const PanelContext& context) {
     const std::string tooltip =
         fmt::format("{}\n{}\n\n{}\n\nkey {}; changes while it runs, without a jump of the force",
                     list[i].title, list[i].idea, list[i].equation, i + 1);
-    if (list_choice(label, i == in_force, tooltip)) choose_algorithm(context, i);
+    const bool chosen = list_choice(label, i == in_force, tooltip);
+    point_at_algorithm(context, i);
+    if (chosen) choose_algorithm(context, i);
   }
   if (current >= list.size()) return;
   muted_text(context, list[current].idea);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "app/ui/panel/identify_state.h"
+#include "app/ui/panel/tour_strip.h"
 #include "app/ui/panel/verdict_view.h"
 #include "app/ui/state/compare_state.h"
 #include "app/ui/state/timing_state.h"
@@ -101,6 +102,7 @@ void draw_story(const PanelContext& context, const EnergyLamp& lamp) {
   draw_light(context, tone, tone != draw::Tone::kMuted);
   draw_words(context, words, ImGui::GetContentRegionAvail().x);
   ImGui::EndGroup();
+  point_at(context, TourPlace::kLamp);
   if (!ImGui::IsItemHovered()) return;
   const Scene& scene = context.session.scene();
   const double since_s = static_cast<double>(lamp.since_tick()) / scene.sampling.rate_hz;

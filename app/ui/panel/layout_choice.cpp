@@ -19,16 +19,14 @@ namespace {
 
 constexpr const char* kRefusalKey = "layout name";
 constexpr float kNameEms = 11.0F;
+// A built-in layout of earlier versions. A presentation (F5) has taken its place.
+constexpr std::string_view kFormerLayout = "lecture";
 
 constexpr std::array kBuiltins{
     BuiltinLayout{
         "bench", "Parameters, wall, contact, and the pages behind tabs",
         "X21.5em(Controls;Y40%(X62%(Wall;Contact);Plots*,Blind test,Map,All at once,Study))",
         PlotArrangement::kAll},
-    BuiltinLayout{
-        kLectureLayout,
-        "For a room: wall and two plots, and everything larger, by half where there is room",
-        "Y50%(Wall;Plots)", PlotArrangement::kTwo},
     BuiltinLayout{"figure 4", "The three plots of Figure 4 of the paper, parameters, a small wall",
                   "X21.5em(Controls;Y22%(Wall;Plots))", PlotArrangement::kFigure4},
     BuiltinLayout{"figures 5 and 6",
@@ -143,8 +141,11 @@ std::span<const BuiltinLayout> builtin_layouts() { return kBuiltins; }
 
 void restore_layout(DockState& dock, Toasts& toasts) {
   if (!layout_called(dock, dock.layout)) {
-    toasts.tell(MessageKind::kProblem, fmt::format("there is no layout '{}' any more: this is '{}'",
-                                                   dock.layout, kUsualLayout));
+    if (dock.layout != kFormerLayout) {
+      toasts.tell(
+          MessageKind::kProblem,
+          fmt::format("there is no layout '{}' any more: this is '{}'", dock.layout, kUsualLayout));
+    }
     dock.layout = kUsualLayout;
     dock.docked.clear();
   }
@@ -155,6 +156,7 @@ void restore_layout(DockState& dock, Toasts& toasts) {
 void choose_layout(DockState& dock, WindowState& window, PlotsState& plots,
                    const std::string& name) {
   window.more = true;
+  window.presents = false;
   dock.layout = name;
   dock.docked.clear();
   show_layout(dock, *layout_called(dock, name));

@@ -16,6 +16,7 @@
 #include "app/ui/panel/replay_bar.h"
 #include "app/ui/panel/sections.h"
 #include "app/ui/panel/sound_switch.h"
+#include "app/ui/panel/tour_strip.h"
 #include "app/ui/state/comparing.h"
 #include "app/ui/state/export.h"
 #include "app/ui/state/recording_wishes.h"
@@ -67,6 +68,7 @@ void draw_reset(const PanelContext& context) {
              "Back to tick 0 at rest, with the present values (key R). Ends a recording.",
              {.width = ems(kToolButtonEms)}))
     ask_to_reset(context);
+  point_at_reset(context);
 }
 
 void draw_repeat(const PanelContext& context) {
@@ -270,6 +272,7 @@ void ask_to_reset(const PanelContext& context) {
 void reset_session(const PanelContext& context) {
   context.recording.reset_question = Question::kNone;
   context.session.reset();
+  note_reset(context.tour);
   context.time.follow = true;
   context.hand.led = false;
 }

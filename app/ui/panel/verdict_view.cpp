@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "app/ui/panel/identify_state.h"
+#include "app/ui/panel/tour_strip.h"
 #include "app/ui/widget/shown_axis.h"
 #include "app/ui/widget/widgets.h"
 
@@ -62,6 +63,7 @@ void draw_verdict(const PanelContext& context) {
     draw::wrapped_text(context.theme.colour(draw::Tone::kText), numbers);
   }
   ImGui::EndGroup();
+  point_at(context, TourPlace::kVerdict);
   explain(kVerdictMeaning);
 }
 

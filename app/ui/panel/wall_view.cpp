@@ -7,6 +7,7 @@
 
 #include "app/ui/panel/hand_drag.h"
 #include "app/ui/panel/identify_state.h"
+#include "app/ui/panel/tour_strip.h"
 #include "app/ui/panel/verdict_view.h"
 #include "app/ui/state/blind_test.h"
 #include "app/ui/state/compare_state.h"
@@ -215,6 +216,7 @@ void take_wall_pointer(const PanelContext& context, const WallCamera& camera,
   ImGui::InvisibleButton("##wall view", area.size,
                          ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
                              ImGuiButtonFlags_MouseButtonMiddle);
+  point_at(context, TourPlace::kWall);
   if (ImGui::IsItemActivated()) state.transient.drag = drag_of_button();
   if (!ImGui::IsItemActive()) state.transient.drag = ViewDrag::kNone;
   lead_hand(context, camera, state.transient.drag == ViewDrag::kLeadHand);

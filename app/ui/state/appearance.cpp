@@ -10,13 +10,6 @@ namespace {
 
 constexpr float kFullScalePercent = 100.0F;
 constexpr int kStepPercent = 10;
-// The layout 'lecture' fills this window at scale 1, px. Larger windows enlarge it in steps of 0.1.
-constexpr float kRoomyWidth = 1000.0F;
-constexpr float kRoomyHeight = 680.0F;
-constexpr float kMaxLectureScale = 1.5F;
-constexpr float kStepsOfOne = 10.0F;
-
-// Scale without the increase by the layout.
 float chosen_scale(const Appearance& appearance) {
   const float chosen = static_cast<float>(appearance.scale_percent) / kFullScalePercent;
   return appearance.forced_scale.value_or(chosen > 0.0F ? chosen : appearance.screen_scale);
@@ -29,17 +22,10 @@ float allowed(float scale) {
 
 }  // namespace
 
-float scale_in_force(const Appearance& appearance, bool lecture) {
-  const float chosen = allowed(chosen_scale(appearance));
-  if (!lecture) return chosen;
-  const ImVec2 window = ImGui::GetIO().DisplaySize;
-  const float room = std::min(window.x / kRoomyWidth, window.y / kRoomyHeight) / chosen;
-  const float steps = std::floor(std::clamp(room, 1.0F, kMaxLectureScale) * kStepsOfOne);
-  return allowed(chosen * steps / kStepsOfOne);
-}
+float scale_in_force(const Appearance& appearance) { return allowed(chosen_scale(appearance)); }
 
 int scale_percent_in_force(const Appearance& appearance) {
-  return static_cast<int>(std::lround(allowed(chosen_scale(appearance)) * kFullScalePercent));
+  return static_cast<int>(std::lround(scale_in_force(appearance) * kFullScalePercent));
 }
 
 void set_scale(Appearance& appearance, int percent) {

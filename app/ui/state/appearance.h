@@ -18,10 +18,8 @@ struct Appearance {
   std::optional<float> forced_scale;  // from the command line, until the user chooses another
 };
 
-// Scale of everything, relative to the designed size. `lecture`: the layout of this name is shown,
-// which makes everything larger.
-[[nodiscard]] float scale_in_force(const Appearance& appearance, bool lecture);
-// The chosen one, %, without what the layout 'lecture' adds.
+// Scale of everything, relative to the designed size; and the same in %.
+[[nodiscard]] float scale_in_force(const Appearance& appearance);
 [[nodiscard]] int scale_percent_in_force(const Appearance& appearance);
 
 // 0 follows the screen; any other value is clamped to the allowed range.

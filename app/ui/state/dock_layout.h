@@ -21,9 +21,6 @@ inline constexpr const char* kControlsPage = "Controls";
 inline constexpr const char* kPlotsPage = "Plots";
 inline constexpr const char* kBlindTestPage = "Blind test";
 
-// This layout makes everything larger: scale_in_force().
-inline constexpr const char* kLectureLayout = "lecture";
-
 enum class DockSplit : std::uint8_t { kNone, kColumns, kRows };
 
 inline constexpr double kMinDockShare = 0.05;

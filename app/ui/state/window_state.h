@@ -13,6 +13,7 @@ struct WindowState {
   bool maximised = false;
 
   // Lives as long as the window.
+  bool presents = false;      // for a room: the first window alone, and large
   std::string settings_path;  // empty: settings are not stored
   bool help_shown = false;
   bool status_shown = false;  // the state of the loop, at the bottom

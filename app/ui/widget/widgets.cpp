@@ -14,6 +14,40 @@ namespace {
 constexpr float kUnitEms = 3.1F;         // width kept free for the unit
 constexpr float kArrowAndGapEms = 2.2F;  // before and after the title of a folding heading
 constexpr float kTooltipWidthEms = 26.0F;
+constexpr float kGapShare = 0.3F;  // between a tooltip and its window or tab, of a row
+
+using TooltipPlace = ImVec2(const TooltipSpace&, ImVec2);
+
+void explain_at(std::string_view text, const ImRect& window, TooltipPlace* place) {
+  if (text.empty() ||
+      !ImGui::IsItemHovered(ImGuiHoveredFlags_ForTooltip | ImGuiHoveredFlags_AllowWhenDisabled)) {
+    return;
+  }
+  const float wrap = kTooltipWidthEms * ImGui::GetFontSize();
+  const ImVec2 padding = ImGui::GetStyle().WindowPadding;
+  const ImVec2 inner = ImGui::CalcTextSize(text.data(), text.data() + text.size(), false, wrap);
+  ImGui::SetNextWindowPos(
+      place({ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), window.Min, window.Max,
+             ImGui::GetIO().DisplaySize, ImGui::GetFrameHeightWithSpacing() + padding.y},
+            ImVec2(inner.x + 2.0F * padding.x, inner.y + 2.0F * padding.y)));
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(padding.x + wrap);  // from the edge of the tooltip
+  ImGui::TextUnformatted(text.data(), text.data() + text.size());
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
+}
+
+// The place beside a narrow window, or nullopt.
+std::optional<ImVec2> place_beside(const TooltipSpace& space, ImVec2 size) {
+  if (space.window_to.x - space.window_from.x > 0.5F * space.screen.x) return std::nullopt;
+  const float gap = kGapShare * space.row;
+  const float y = std::clamp(space.item_from.y, 0.0F, std::max(0.0F, space.screen.y - size.y));
+  const float right = space.window_to.x + gap;
+  if (right + size.x <= space.screen.x) return ImVec2(right, y);
+  const float left = space.window_from.x - gap - size.x;
+  if (left >= 0.0F) return ImVec2(left, y);
+  return std::nullopt;
+}
 
 }  // namespace
 
@@ -78,40 +112,31 @@ void progress_bar(const PanelContext& context, double fraction, const std::strin
 }
 
 void explain(std::string_view text) {
-  if (text.empty() ||
-      !ImGui::IsItemHovered(ImGuiHoveredFlags_ForTooltip | ImGuiHoveredFlags_AllowWhenDisabled)) {
-    return;
-  }
-  const float wrap = kTooltipWidthEms * ImGui::GetFontSize();
-  const ImVec2 padding = ImGui::GetStyle().WindowPadding;
-  const ImVec2 inner = ImGui::CalcTextSize(text.data(), text.data() + text.size(), false, wrap);
-  const ImGuiWindow* window = ImGui::GetCurrentWindow();
-  ImGui::SetNextWindowPos(
-      tooltip_place({ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), window->Pos,
-                     ImVec2(window->Pos.x + window->Size.x, window->Pos.y + window->Size.y),
-                     ImGui::GetIO().DisplaySize, ImGui::GetFrameHeightWithSpacing() + padding.y},
-                    ImVec2(inner.x + 2.0F * padding.x, inner.y + 2.0F * padding.y)));
-  ImGui::BeginTooltip();
-  ImGui::PushTextWrapPos(wrap);
-  ImGui::TextUnformatted(text.data(), text.data() + text.size());
-  ImGui::PopTextWrapPos();
-  ImGui::EndTooltip();
+  explain_at(text, ImGui::GetCurrentWindowRead()->Rect(), tooltip_place);
+}
+
+// A window behind another tab may never have had its place. A write access would hide the tab from
+// IsItemHovered().
+void explain_tab(std::string_view text) {
+  const ImGuiWindow* window = ImGui::GetCurrentWindowRead();
+  const ImGuiDockNode* node = window->DockNode;
+  explain_at(text, node != nullptr ? node->Rect() : window->Rect(), tab_tooltip_place);
 }
 
 ImVec2 tooltip_place(const TooltipSpace& space, ImVec2 size) {
-  const float gap = 0.3F * space.row;
-  const float down = std::max(0.0F, space.screen.y - size.y);
-  if (space.window_to.x - space.window_from.x <= 0.5F * space.screen.x) {
-    const float y = std::clamp(space.item_from.y, 0.0F, down);
-    const float right = space.window_to.x + gap;
-    if (right + size.x <= space.screen.x) return {right, y};
-    const float left = space.window_from.x - gap - size.x;
-    if (left >= 0.0F) return {left, y};
-  }
+  if (const auto beside = place_beside(space, size)) return *beside;
   const float x = std::clamp(space.item_from.x, 0.0F, std::max(0.0F, space.screen.x - size.x));
   const float below = space.item_to.y + space.row;
   if (below + size.y <= space.screen.y) return {x, below};
   return {x, std::max(0.0F, space.item_from.y - space.row - size.y)};
+}
+
+ImVec2 tab_tooltip_place(const TooltipSpace& space, ImVec2 size) {
+  if (const auto beside = place_beside(space, size)) return *beside;
+  const float x = std::clamp(space.item_from.x, 0.0F, std::max(0.0F, space.screen.x - size.x));
+  // The tab is at the top of the window; the item may be its button alone.
+  const float above = space.window_from.y - kGapShare * space.row - size.y;
+  return {x, above >= 0.0F ? above : std::max(0.0F, space.screen.y - size.y)};
 }
 
 bool button(const std::string& label, std::string_view tooltip, const ButtonLook& look) {

@@ -37,6 +37,8 @@ void progress_bar(const PanelContext& context, double fraction, const std::strin
 
 // Shows a tooltip for the last item.
 void explain(std::string_view text);
+// Shows a tooltip for the tab of the current window, beside the window.
+void explain_tab(std::string_view text);
 
 // A button with a tooltip; true when pressed.
 struct ButtonLook {
@@ -93,6 +95,9 @@ struct TooltipSpace {
   float row = 0.0F;  // height, with the padding of a window that may begin there
 };
 [[nodiscard]] ImVec2 tooltip_place(const TooltipSpace& space, ImVec2 size);
+// The same for the tab of a window. It covers neither the tab nor the first fields of the window:
+// beside a narrow window, else above it, else at the bottom of the screen.
+[[nodiscard]] ImVec2 tab_tooltip_place(const TooltipSpace& space, ImVec2 size);
 
 // text_field() for a number. Refuses invalid input under the key `id` and returns nullopt.
 [[nodiscard]] std::optional<double> number_field(const PanelContext& context, const char* id,

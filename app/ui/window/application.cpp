@@ -32,11 +32,6 @@ void draw_where_measured(Tick& tick) {
   }
 }
 
-// The layout 'lecture' makes everything larger.
-bool is_lecture(const UiState& state) {
-  return state.window.more && state.dock.layout == kLectureLayout;
-}
-
 }  // namespace
 
 Result<std::unique_ptr<Application>> Application::create(const Scene& scene, const Options& options,
@@ -251,7 +246,7 @@ Visibility Application::visibility(std::uint32_t echoed_generation) {
 
 // Colours and scale change only between frames.
 void Application::keep_appearance() {
-  const float scale = scale_in_force(state_.appearance, is_lecture(state_));
+  const float scale = scale_in_force(state_.appearance);
   if (state_.appearance.look == look_ && scale == scale_) return;
   look_ = state_.appearance.look;
   scale_ = scale;

@@ -104,7 +104,7 @@ bool draw_page(const PageParts& parts, const Page& page, bool closable) {
                    page.flags | ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoCollapse);
   ImGui::PopStyleColor();
   ImGui::PopStyleVar(2);
-  explain(page.window.meaning);  // tooltip of the tab
+  explain_tab(page.window.meaning);
   if (seen) page.draw(parts);
   ImGui::End();
   DockState& dock = context.dock;

@@ -118,6 +118,8 @@ void put_away(const PanelContext& context) {
     ImGui::ClosePopupsExceptModals();
   } else if (context.window.help_shown) {
     context.window.help_shown = false;
+  } else if (context.window.presents) {
+    context.window.presents = false;
   } else {
     context.toasts.put_newest_away();
   }

@@ -6,6 +6,7 @@
 #include <array>
 #include <initializer_list>
 
+#include "app/ui/first/presentation.h"
 #include "app/ui/page/plot_controls.h"
 #include "app/ui/panel/arming_strip.h"
 #include "app/ui/panel/hand_drag.h"
@@ -104,6 +105,7 @@ std::vector<KeyBinding> window_keys() {
           {KeyGroup::kWindow, "dark or light", {ImGuiKey_F2}, toggle_look},
           {KeyGroup::kWindow, "next layout of the windows", {ImGuiKey_F3}, next_layout},
           {KeyGroup::kWindow, "state of the loop", {ImGuiKey_F4}, toggle_status},
+          {KeyGroup::kWindow, "present to a room, or not", {ImGuiKey_F5}, toggle_presentation},
           repeating({KeyGroup::kWindow,
                      "everything larger",
                      {ctrl(ImGuiKey_Equal)},
@@ -120,7 +122,7 @@ std::vector<KeyBinding> window_keys() {
            as_the_screen,
            {ctrl(ImGuiKey_Keypad0)}},
           {KeyGroup::kWindow,
-           "close a list, the help, or the newest message",
+           "close a list, help, presentation, or the newest message",
            {ImGuiKey_Escape},
            put_away}};
 }

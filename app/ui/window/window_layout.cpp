@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "app/ui/first/presentation.h"
 #include "app/ui/panel/arming_strip.h"
 #include "app/ui/panel/energy_lamp_view.h"
 #include "app/ui/panel/layout_choice.h"
@@ -60,6 +61,7 @@ void draw_docked(const PageParts& parts) {
 void draw_window(const FirstParts& parts) {
   const PanelContext& context = parts.page.context;
   share_arrows(true);
+  keep_presentation(context);
   const ImGuiViewport* viewport = ImGui::GetMainViewport();
   ImGui::SetNextWindowPos(viewport->WorkPos);
   ImGui::SetNextWindowSize(viewport->WorkSize);

@@ -79,13 +79,13 @@ INSTANTIATE_TEST_SUITE_P(Screen, ThemeOf, ::testing::Values(Look::kScreen, Look:
 
 TEST(Scale, TheCommandLineComesBeforeTheSettingsAndTheseBeforeTheScreen) {
   ui::Appearance state;
-  EXPECT_EQ(ui::scale_in_force(state, false), 1.0F);
+  EXPECT_EQ(ui::scale_in_force(state), 1.0F);
   state.screen_scale = 1.5F;
-  EXPECT_EQ(ui::scale_in_force(state, false), 1.5F);
+  EXPECT_EQ(ui::scale_in_force(state), 1.5F);
   ui::set_scale(state, 125);
-  EXPECT_EQ(ui::scale_in_force(state, false), 1.25F);
+  EXPECT_EQ(ui::scale_in_force(state), 1.25F);
   state.forced_scale = 2.0F;
-  EXPECT_EQ(ui::scale_in_force(state, false), 2.0F);
+  EXPECT_EQ(ui::scale_in_force(state), 2.0F);
   ui::step_scale(state, 1);
   EXPECT_EQ(ui::scale_percent_in_force(state), 210);
   EXPECT_FALSE(state.forced_scale.has_value());
@@ -97,7 +97,7 @@ TEST(Scale, TheCommandLineComesBeforeTheSettingsAndTheseBeforeTheScreen) {
   ui::set_scale(state, 1);
   EXPECT_EQ(state.scale_percent, session::kMinScalePercent);
   ui::set_scale(state, 0);
-  EXPECT_EQ(ui::scale_in_force(state, false), 1.5F);
+  EXPECT_EQ(ui::scale_in_force(state), 1.5F);
 }
 
 class AppearanceTest : public GuiTest {

@@ -50,5 +50,30 @@ TEST(TooltipPlace, NeverCoversTheRowThatOneWantsNext) {
   }
 }
 
+// A tab at any place of a window of any size: its tooltip covers neither the tab nor the first
+// third of the page, where the window leaves room.
+TEST(TooltipPlace, OfATabLeavesThePageFree) {
+  std::mt19937 random(11);
+  const auto between = [&](float low, float high) {
+    return std::uniform_real_distribution<float>(low, high)(random);
+  };
+  for (int round = 0; round < 20000; ++round) {
+    TooltipSpace space{{}, {}, {}, {}, kScreen, kRow};
+    space.window_from = {between(0.0F, 700.0F), between(0.0F, 300.0F)};
+    space.window_to = {between(space.window_from.x + 100.0F, kScreen.x),
+                       between(space.window_from.y + 12.0F * kRow, kScreen.y)};
+    space.item_from = {between(space.window_from.x, space.window_to.x - 20.0F),
+                       space.window_from.y};
+    space.item_to = {space.item_from.x + 20.0F, space.item_from.y + kRow};
+    const ImVec2 size(between(50.0F, 390.0F), between(20.0F, 80.0F));
+    const ImVec2 place = tab_tooltip_place(space, size);
+    const ImVec2 to(space.window_to.x, space.item_to.y + 6.0F * kRow);
+    ASSERT_FALSE(overlap(place, size, space.window_from, to)) << round;
+    ASSERT_GE(std::min(place.x, place.y), 0.0F);
+    ASSERT_LE(place.x + size.x, kScreen.x + 1e-3F);
+    ASSERT_LE(place.y + size.y, kScreen.y + 1e-3F);
+  }
+}
+
 }  // namespace
 }  // namespace hapticwall::ui

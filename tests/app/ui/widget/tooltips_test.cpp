@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "app/ui/panel/layout_choice.h"
 #include "app/ui/state/tour.h"
 #include "tests/app/ui/gui_test.h"
 
@@ -59,6 +60,25 @@ TEST_F(TooltipsTest, OfTheMapPage) {
   for (const char* name : {"map algorithms", "map number 0", "map from 0", "map log 0",
                            "map around 0", "map number 1"})
     expect_next_row_free(name);
+}
+
+// In every layout the tooltip of a tab leaves the page free, and the tab.
+TEST_F(TooltipsTest, OfTheTabs) {
+  for (const char* layout : {"bench", "experiment"}) {
+    choose_layout(state().dock, state().window, state().plots, layout);
+    frames(5);
+    for (const auto& [name, tab] : drawn_items()) {
+      if (!name.starts_with("page ") || tab.id == 0) continue;
+      SCOPED_TRACE(name);
+      const auto tooltip = tooltip_of(name);
+      ASSERT_TRUE(tooltip);
+      EXPECT_FALSE(tooltip->meets(tab)) << tooltip->from.y << " to " << tooltip->to.y << ", tab "
+                                        << tab.from.y << " to " << tab.to.y;
+      const ItemRect page{ImVec2(tab.from.x, tab.to.y),
+                          ImVec2(tab.to.x, tab.to.y + 8.0F * ImGui::GetFrameHeight())};
+      EXPECT_FALSE(tooltip->meets(page)) << "its first fields";
+    }
+  }
 }
 
 TEST_F(TooltipsTest, OfTheTour) {

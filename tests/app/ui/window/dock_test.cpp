@@ -111,20 +111,6 @@ TEST_F(DockTest, EveryLayoutShowsWhatItSaysAtEverySize) {
   }
 }
 
-TEST_F(DockTest, ALectureIsLargerWhereThereIsRoomAndAnotherLayoutTakesItBack) {
-  resize(1920.0F, 1080.0F, 100);
-  choose("lecture");
-  EXPECT_FLOAT_EQ(ImGui::GetStyle().FontScaleMain, 1.5F);
-  EXPECT_EQ(ui::scale_percent_in_force(state().appearance), 100) << "the chosen size stays";
-  const float wall = area("Wall").GetArea() + area("Plots").GetArea();
-  EXPECT_GT(wall, 0.7F * 1920.0F * 1080.0F);
-  resize(1024.0F, 680.0F, 100);
-  EXPECT_FLOAT_EQ(ImGui::GetStyle().FontScaleMain, 1.0F);
-  resize(1920.0F, 1080.0F, 100);
-  choose("bench");
-  EXPECT_FLOAT_EQ(ImGui::GetStyle().FontScaleMain, 1.0F);
-}
-
 TEST_F(DockTest, TheFirstWindowHasNoPagesAndLeavesTheLayoutAlone) {
   choose("experiment");
   state().window.more = false;
