@@ -38,12 +38,18 @@ Extremes values_of(const RunsPlot& shown) {
   return *all;
 }
 
-// Names at the right edge, the first run outermost left, each in the colour of its line.
-void draw_names(const RunsPlot& shown, ImVec2 corner, float width) {
+std::string name_of(const ShownRun& run) { return run.dashed ? "– – " + run.name : run.name; }
+
+// Names at the right edge, each in the colour of its line, if they fit beside the title.
+void draw_names(const RunsPlot& shown, ImVec2 corner, float title, float width) {
   const FontScope font(nullptr, kSmallFontSize);
+  float names = title;
+  for (const ShownRun& run : shown.runs)
+    names += ImGui::CalcTextSize(name_of(run).c_str()).x + ems(kNameGapEms);
+  if (names > width) return;
   float right = corner.x + width;
   for (const ShownRun& run : std::views::reverse(shown.runs)) {
-    const std::string name = run.dashed ? "– – " + run.name : run.name;
+    const std::string name = name_of(run);
     right -= ImGui::CalcTextSize(name.c_str()).x;
     ImGui::SetCursorScreenPos(ImVec2(right, corner.y));
     ImGui::TextColored(shown.theme.colour(run.tone), "%s", name.c_str());
@@ -57,7 +63,7 @@ void draw_heading(const RunsPlot& shown, float width) {
   ImGui::SameLine(0.0F, ems(kUnitGapEms));
   ImGui::TextColored(shown.theme.colour(Tone::kMuted), "%s", shown.plot.left.unit);
   const float below = ImGui::GetCursorScreenPos().y;
-  draw_names(shown, corner, width);
+  draw_names(shown, corner, ImGui::GetItemRectMax().x - corner.x, width);
   ImGui::SetCursorScreenPos(ImVec2(corner.x, below));
 }
 

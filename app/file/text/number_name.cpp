@@ -74,8 +74,9 @@ Place place_of(std::string_view path) {
   return place;
 }
 
-// "added damping" of "algorithm.added_damping_n_s_per_m".
-std::string words_of(std::string_view key) {
+}  // namespace
+
+std::string key_in_words(std::string_view key) {
   std::string_view word = key.substr(key.rfind('.') + 1);
   const auto ending =
       std::ranges::find_if(kEndings, [&](std::string_view each) { return word.ends_with(each); });
@@ -84,8 +85,6 @@ std::string words_of(std::string_view key) {
   std::ranges::replace(words, '_', ' ');
   return words;
 }
-
-}  // namespace
 
 std::string NumberName::title() const {
   std::string text = name;
@@ -97,7 +96,7 @@ std::string NumberName::title() const {
 NumberName number_name(const SceneNumber& number) {
   const Place place = place_of(number.path);
   const auto entry = std::ranges::find(kEntries, place.key, &Entry::key);
-  if (entry == kEntries.end()) return {words_of(place.key) + place.which, "", number.unit, 1.0};
+  if (entry == kEntries.end()) return {key_in_words(place.key) + place.which, "", number.unit, 1.0};
   return {std::string(entry->name) + place.which, std::string(entry->symbol),
           entry->unit.empty() ? number.unit : std::string(entry->unit), entry->scale};
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "core/scene_keys.h"
 
@@ -19,5 +20,8 @@ struct NumberName {
 
 // A number without an entry in the table has its key as name, in words and without the unit.
 [[nodiscard]] NumberName number_name(const SceneNumber& number);
+
+// "added damping" of "algorithm.added_damping_n_s_per_m": a key without its table and unit.
+[[nodiscard]] std::string key_in_words(std::string_view key);
 
 }  // namespace hapticwall::file

@@ -279,7 +279,7 @@ void draw_walls_and_plots(const FirstParts& parts, float below) {
 
 // Walls, plots and large keys, and everything as large as the window has room for.
 void draw_presentation(const FirstParts& parts) {
-  const LargeScope large;
+  const ScaleScope large(presented_scale());
   const float keys = kKeySize * ImGui::GetStyle().FontScaleMain;
   draw_walls_and_plots(parts, keys + 2.0F * ImGui::GetStyle().FramePadding.y);
   const draw::FontScope font(parts.page.context.theme.fonts.strong, kKeySize);
@@ -296,6 +296,7 @@ void draw_first_window(const FirstParts& parts) {
   const PanelContext& context = parts.page.context;
   darken(context.theme);
   if (context.window.presents) return draw_presentation(parts);
+  const ScaleScope fitting(fitting_scale());
   draw_head(context);
   draw_rows_of_use(context);
   const ImGuiStyle& style = ImGui::GetStyle();

@@ -12,6 +12,8 @@ namespace {
 
 constexpr float kRoomyWidth = 1000.0F;  // of a window that shows it at scale 1, pixels
 constexpr float kRoomyHeight = 680.0F;
+constexpr float kLeastWidth = 640.0F;  // of a window that has room for the first window at scale 1
+constexpr float kLeastHeight = 400.0F;
 constexpr float kMinScale = 0.8F;
 constexpr float kMaxScale = 4.0F;
 
@@ -40,14 +42,24 @@ void keep_presentation(const PanelContext& context) {
   if (why_no_two_walls(context)) context.window.presents = false;
 }
 
-LargeScope::LargeScope() : before_(ImGui::GetStyle().FontScaleMain) {
+float presented_scale() {
   const ImVec2 window = ImGui::GetIO().DisplaySize;
   const float room = std::min(window.x / kRoomyWidth, window.y / kRoomyHeight);
-  ImGui::GetStyle().FontScaleMain = std::clamp(room, kMinScale, kMaxScale);
+  return std::clamp(room, kMinScale, kMaxScale);
+}
+
+float fitting_scale() {
+  const ImVec2 window = ImGui::GetIO().DisplaySize;
+  const float room = std::min(window.x / kLeastWidth, window.y / kLeastHeight);
+  return std::min(ImGui::GetStyle().FontScaleMain, std::max(room, kMinScale));
+}
+
+ScaleScope::ScaleScope(float scale) : before_(ImGui::GetStyle().FontScaleMain) {
+  ImGui::GetStyle().FontScaleMain = scale;
   ImGui::PushFont(nullptr, draw::kFontSize);
 }
 
-LargeScope::~LargeScope() {
+ScaleScope::~ScaleScope() {
   ImGui::GetStyle().FontScaleMain = before_;
   ImGui::PopFont();
 }

@@ -17,14 +17,18 @@ void toggle_presentation(const PanelContext& context);
 // Ends it when the session has no two walls any more.
 void keep_presentation(const PanelContext& context);
 
-// Until the end of the block all text has the size for which the window has room, whatever the
-// scale: a window of 1000 x 680 pixels shows it at scale 1.
-class LargeScope {
+// The scale at which the whole window is full of large text: 1 in a window of 1000 x 680 pixels.
+[[nodiscard]] float presented_scale();
+// The scale in force, or a smaller one at which the first window has room for its parts.
+[[nodiscard]] float fitting_scale();
+
+// All text has this scale until the end of the block.
+class ScaleScope {
  public:
-  LargeScope();
-  LargeScope(const LargeScope&) = delete;
-  LargeScope& operator=(const LargeScope&) = delete;
-  ~LargeScope();
+  explicit ScaleScope(float scale);
+  ScaleScope(const ScaleScope&) = delete;
+  ScaleScope& operator=(const ScaleScope&) = delete;
+  ~ScaleScope();
 
  private:
   float before_;

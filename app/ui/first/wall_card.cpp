@@ -19,6 +19,7 @@ namespace hapticwall::ui {
 namespace {
 
 constexpr float kPaddingEms = 1.0F;
+constexpr float kLowCardEms = 9.0F;    // height of the rows below the verdict
 constexpr float kStripShare = 0.42F;   // of the width inside the padding
 constexpr float kStripGapEms = 0.8F;   // between the picture and the contact
 constexpr float kVerdictSize = 38.0F;  // pixels at scale 1
@@ -144,16 +145,19 @@ void draw_wall_card(const FirstParts& parts, WallRenderer& renderer, const CardW
   ImGui::SetCursorScreenPos(ImVec2(inside.from.x, below_name));
   const float size = presents ? kPresentedVerdictSize : kVerdictSize;
   ImGui::BeginGroup();
-  draw_verdict_words(context.theme, draw::verdict_words(wall.tail), size);
+  draw_verdict_words(context.theme, draw::verdict_words(wall.tail), size,
+                     inside.to.x - inside.from.x);
   ImGui::EndGroup();
   if (wall.leads) point_at(context, TourPlace::kVerdict);
   const float top = below_name + 1.3F * size * ImGui::GetStyle().FontScaleMain;
-  const float bottom = inside.to.y - (presents ? 0.0F : 1.7F * ImGui::GetTextLineHeight());
+  // A low card has its picture in the place of the sentence.
+  const bool tells = !presents && inside.to.y - top > kLowCardEms * ImGui::GetFontSize();
+  const float bottom = inside.to.y - (tells ? 1.7F * ImGui::GetTextLineHeight() : 0.0F);
   if (bottom > top) {
     draw_pictures(parts, renderer, wall, {ImVec2(inside.from.x, top), ImVec2(inside.to.x, bottom)},
                   span_m);
   }
-  if (!presents) draw_sentence(context, wall, inside);
+  if (tells) draw_sentence(context, wall, inside);
   ImGui::PopID();
 }
 

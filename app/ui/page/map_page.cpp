@@ -7,6 +7,7 @@
 #include "app/draw/figure/map_field.h"
 #include "app/draw/figure/map_legend.h"
 #include "app/draw/plot/tail.h"
+#include "app/file/text/number_name.h"
 #include "app/ui/page/map_controls.h"
 #include "app/ui/page/map_state.h"
 #include "app/ui/page/pages.h"
@@ -64,7 +65,8 @@ void draw_dot(const PanelContext& context, const StabilityMap& map,
 }
 
 std::string value_text(const MapAxis& axis, std::size_t index) {
-  return fmt::format("{} = {:.4g} {}", axis.number.path, axis.value(index), axis.number.unit);
+  const file::NumberName name = file::number_name(axis.number);
+  return fmt::format("{}: {:.4g} {}", name.name, axis.value(index) * name.scale, name.unit);
 }
 
 std::string cell_text(const MapPicture& picture, std::size_t cell) {

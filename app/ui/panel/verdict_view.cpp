@@ -1,5 +1,6 @@
 #include "app/ui/panel/verdict_view.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "app/ui/panel/identify_state.h"
@@ -15,6 +16,19 @@ constexpr float kNumbersShare = 0.42F;  // size of the numbers, of the word's
 constexpr float kGapShare = 0.4F;       // gap between word and numbers, of the word's height
 constexpr float kLineShare = 1.15F;     // height of a line, of its text's
 
+// Width of word, gap and the longer line of numbers.
+float words_width(const draw::Theme& theme, const draw::VerdictWords& words, float size_px) {
+  float width = 0.0F;
+  {
+    const draw::FontScope font(theme.fonts.strong, size_px);
+    const ImVec2 word = ImGui::CalcTextSize(words.word.c_str());
+    width = word.x + kGapShare * word.y;
+  }
+  const draw::FontScope font(nullptr, kNumbersShare * size_px);
+  return width + std::max(ImGui::CalcTextSize(words.numbers.c_str()).x,
+                          ImGui::CalcTextSize(words.more.c_str()).x);
+}
+
 }  // namespace
 
 const char* const kVerdictMeaning =
@@ -26,7 +40,9 @@ const char* const kVerdictMeaning =
     "or oscillating if the handle swings by more than 0.1 mm. Otherwise the handle rests (settled) "
     "or moves (moving), and a wall that gives the hand more than 5 mW is called active.";
 
-void draw_verdict_words(const draw::Theme& theme, const draw::VerdictWords& words, float size_px) {
+void draw_verdict_words(const draw::Theme& theme, const draw::VerdictWords& words, float size_px,
+                        float room_px) {
+  size_px *= std::min(1.0F, room_px / std::max(words_width(theme, words, size_px), 1.0F));
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   ImGui::PushStyleColor(ImGuiCol_Text, theme.colour(words.tone));
   draw::strong_text(theme, words.word, size_px);

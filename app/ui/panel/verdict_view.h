@@ -8,8 +8,10 @@
 
 namespace hapticwall::ui {
 
-// Draws word and numbers side by side, from the cursor on. `size_px` of the word, at scale 1.
-void draw_verdict_words(const draw::Theme& theme, const draw::VerdictWords& words, float size_px);
+// Draws word and numbers side by side, from the cursor on. `size_px` of the word, at scale 1;
+// smaller where `room_px` asks for it.
+void draw_verdict_words(const draw::Theme& theme, const draw::VerdictWords& words, float size_px,
+                        float room_px);
 
 // The verdict of the shown axis over the docked windows, with the digits of `run`. Neutral during a
 // blind test and an identification.

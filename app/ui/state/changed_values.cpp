@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/file/text/number_name.h"
 #include "app/file/text/text.h"
 #include "core/algorithm/algorithm.h"
 #include "core/environment/environment.h"
@@ -46,6 +47,21 @@ std::string_view estimator_name(const Scene& scene) {
   return estimators()[scene.estimator.index].description.name;
 }
 
+// "wall stiffness"; the key where the field has no name for it.
+std::string field_name(const Scene& scene, const std::string& key) {
+  const std::optional<SceneNumber> number = find_scene_number(scene, key);
+  return number ? file::number_name(*number).name : key;
+}
+
+// In the unit that figures show; `text` for a word, and for a part that is absent.
+std::string field_value(const Scene& scene, const std::string& key, const std::string& text) {
+  const std::optional<SceneNumber> number = find_scene_number(scene, key);
+  const std::optional<double> value = number ? number->get(scene) : std::nullopt;
+  if (!value || text != rounded_number(*value)) return text;
+  const file::NumberName name = file::number_name(*number);
+  return rounded_number(*value * name.scale) + (name.unit.empty() ? "" : " " + name.unit);
+}
+
 // A comma before three digits may separate thousands.
 bool is_ambiguous(std::string_view text) {
   const std::size_t comma = text.find(',');
@@ -67,7 +83,9 @@ std::vector<std::string> changed_values(const Scene& running, const Scene& loade
     // Another environment has no walls.
     const auto same = std::ranges::find(then, key, &Values::value_type::first);
     if (same == then.end() || same->second == value) continue;
-    lines.push_back(fmt::format("{} = {}, in the scene {}", key, value, same->second));
+    lines.push_back(fmt::format("{}: {}, in the scene {}", field_name(running, key),
+                                field_value(running, key, value),
+                                field_value(back, key, same->second)));
   }
   if (running.environment.index != back.environment.index)
     lines.push_back(fmt::format("environment: {}, in the scene {}", environment_name(running),

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "app/draw/plot/extra_traces.h"
+#include "app/file/text/number_name.h"
 #include "app/ui/state/blind_test.h"
 #include "app/ui/state/changes.h"
 #include "app/ui/state/plots_state.h"
@@ -130,8 +131,9 @@ std::string set_keys_text(const AlgorithmSettings& settings) {
   for (const ParameterDescription& parameter : list[settings.index].parameters) {
     const auto index = find_algorithm_parameter(parameter.key);
     if (!index || !settings.values.at(*index)) continue;
-    text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", parameter.key,
-                        value_text(parameter, *settings.values.at(*index)));
+    text += fmt::format("{}{} {}{}{}", text.empty() ? "" : ", ", file::key_in_words(parameter.key),
+                        value_text(parameter, *settings.values.at(*index)),
+                        parameter.unit.empty() ? "" : " ", parameter.unit);
   }
   return text;
 }

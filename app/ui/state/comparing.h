@@ -53,7 +53,7 @@ void take_present(const PanelContext& context, compare::Slot slot);
 
 // "energy-bounding".
 [[nodiscard]] std::string algorithm_name(const AlgorithmSettings& settings);
-// "rest_force_step_n = 0.01, …": the given keys, without those that the algorithm ignores.
+// "rest force step 0.01 N, …": the given numbers, without those that the algorithm ignores.
 [[nodiscard]] std::string set_keys_text(const AlgorithmSettings& settings);
 
 }  // namespace hapticwall::ui

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <string>
 
+#include "app/file/text/number_name.h"
 #include "app/ui/state/text_edit.h"
 #include "app/ui/widget/widgets.h"
 
@@ -62,27 +63,13 @@ void draw_choice(const DescribedField& field, const Set& set) {
   ImGui::EndCombo();
 }
 
-// "rest_force_step_n" reads "rest force step": the unit stands beside the field.
-std::string readable_key(std::string_view key) {
-  for (const std::string_view ending :
-       {"_n_s_per_m", "_n_per_m", "_m_per_s", "_n", "_m", "_s", "_j", "_hz"}) {
-    if (key.ends_with(ending)) {
-      key.remove_suffix(ending.size());
-      break;
-    }
-  }
-  std::string words(key);
-  std::replace(words.begin(), words.end(), '_', ' ');
-  return words;
-}
-
 }  // namespace
 
 void draw_described_field(const PanelContext& context, const DescribedField& field,
                           const Set& set) {
   const ParameterDescription& parameter = field.description;
   const std::string tooltip = tooltip_of(parameter);
-  field_label(context, readable_key(parameter.key), tooltip, parameter.unit);
+  field_label(context, file::key_in_words(parameter.key), tooltip, parameter.unit);
   if (parameter.kind == ParameterKind::kNumber) {
     draw_number(context, field, set);
   } else {

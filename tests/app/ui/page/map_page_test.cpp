@@ -131,7 +131,7 @@ TEST_F(MapPageTest, HoveringTellsVerdictFiguresAndValues) {
   const std::size_t cell = live().picture()->source(15 * map().x.count + 15);
   EXPECT_THAT(seen, HasSubstr(std::string(verdict_name(live().picture()->figures()[cell].verdict)) +
                               " · "));
-  EXPECT_THAT(seen, HasSubstr("wall.stiffness_n_per_m = "));
+  EXPECT_THAT(seen, HasSubstr("wall stiffness: "));
   EXPECT_THAT(seen, HasSubstr("click: this becomes the running scene"));
 }
 

@@ -93,9 +93,9 @@ TEST(ChangedValues, ListsValuesUnlikeTheSceneAndRestoresThem) {
   running.x().device.start_m = 0.02;
   running.x().hand->path = {{0.0, 0.02}};
   const std::vector<std::string> changed = changed_values(running, loaded);
-  EXPECT_EQ(changed, (std::vector<std::string>{"device.friction_n = none, in the scene 0.14",
-                                               "hand.stiffness_n_per_m = 300, in the scene 250",
-                                               "wall.stiffness_n_per_m = 1000, in the scene 35000",
+  EXPECT_EQ(changed, (std::vector<std::string>{"device friction: none, in the scene 0.14 N",
+                                               "hand stiffness: 300 N/m, in the scene 250 N/m",
+                                               "wall stiffness: 1 kN/m, in the scene 35 kN/m",
                                                "simulator: rk4 × 4, in the scene exact × 1"}));
   const Scene back = with_loaded_values(running, loaded);
   EXPECT_TRUE(changed_values(back, loaded).empty());

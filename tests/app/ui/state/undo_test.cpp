@@ -120,7 +120,7 @@ TEST(UndoHistory, NamesTheChangeThatUndoTakesBack) {
   EXPECT_EQ(history.undo_text(), "");
   history.observe(loaded, loaded, false);
   history.observe(with_stiffness(2000.0), loaded, false);
-  EXPECT_THAT(history.undo_text(), HasSubstr("wall.stiffness_n_per_m = 35000"));
+  EXPECT_THAT(history.undo_text(), HasSubstr("wall stiffness: 35 kN/m"));
   Scene other = with_stiffness(2000.0);
   other.sampling.rate_hz = 2000.0;
   history.observe(other, loaded, false);
