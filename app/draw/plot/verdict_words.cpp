@@ -51,8 +51,9 @@ Tone tail_tone(const Tail& tail) {
 }
 
 std::optional<Tone> edge_tone(const Tail& tail) {
-  const Tone tone = tail_tone(tail);
-  return tone == Tone::kMuted ? std::nullopt : std::optional(tone);
+  const bool judged =
+      tail.end_tick != 0 && file::grade_of(tail.summary.verdict) != file::VerdictGrade::kNone;
+  return judged ? std::optional(tail_tone(tail)) : std::nullopt;
 }
 
 VerdictWords verdict_words(const Tail& tail) {

@@ -21,9 +21,10 @@ struct VerdictWords {
 // "4.9 ± 4.4 N"; without the deviation for a good verdict. Empty out of contact.
 [[nodiscard]] std::string force_words(const Tail& tail);
 
-// The tone of a verdict, of the wall's edge, and of a lamp that speaks; muted out of contact.
+// The tone of a verdict, of the wall's edge, and of a lamp that speaks; muted before the first
+// sample.
 [[nodiscard]] Tone tail_tone(const Tail& tail);
-// tail_tone() for the edge of a wall, which has its own colour out of contact.
+// tail_tone() for the edge of a wall, which has its own colour while there is nothing to judge.
 [[nodiscard]] std::optional<Tone> edge_tone(const Tail& tail);
 
 }  // namespace hapticwall::draw

@@ -29,7 +29,7 @@ TEST(VerdictWords, TellTheVerdictInTheUnitsOfTheField) {
         Case{Verdict::kSettled, "30 kN/m", "4.9 N, still", Tone::kGood},
         Case{Verdict::kMoving, "30 kN/m", "4.9 N, the hand moves", Tone::kGood},
         Case{Verdict::kActive, "30 kN/m", "gives the hand 12 mW", Tone::kWarning},
-        Case{Verdict::kNoContact, "", "", Tone::kMuted},
+        Case{Verdict::kNoContact, "", "", Tone::kText},
         Case{Verdict::kDiverged, "", "", Tone::kBad}}) {
     s.verdict = each.verdict;
     const VerdictWords words = verdict_words(tail);
@@ -37,7 +37,7 @@ TEST(VerdictWords, TellTheVerdictInTheUnitsOfTheField) {
     EXPECT_EQ(words.numbers, each.numbers);
     EXPECT_EQ(words.more, each.more);
     EXPECT_EQ(words.tone, each.tone);
-    EXPECT_EQ(edge_tone(tail).value_or(Tone::kMuted), each.tone);
+    EXPECT_EQ(edge_tone(tail).value_or(Tone::kText), each.tone);
   }
 }
 
