@@ -146,7 +146,6 @@ void draw_plots(const FirstParts& parts, const std::vector<CardWall>& cards, ImV
   for (std::size_t i = 0; i < kShownPlots.size(); ++i) {
     const PlotChoice& choice = kShownPlots.at(i);
     const ImVec2 from(corner.x + static_cast<float>(i) * (width + gap), corner.y);
-    fill_panel(context.theme, {from, ImVec2(from.x + width, from.y + size.y)});
     ImGui::SetCursorScreenPos(ImVec2(from.x + padding.x, from.y + padding.y));
     const bool positions = choice.plot == draw::PlotId::kPosition;
     const std::span<const WallSettings> walls =
@@ -258,30 +257,78 @@ void draw_rows_of_use(const PanelContext& context) {
   if (context.tour.step > 0) draw_tour_strip(context);
 }
 
-// Behind cards and plots, which have the lighter colour of a panel.
-void darken(const draw::Theme& theme) {
-  const ImGuiViewport* viewport = ImGui::GetMainViewport();
-  const ImVec2 from = viewport->WorkPos;
-  ImGui::GetWindowDrawList()->AddRectFilled(
-      from, ImVec2(from.x + viewport->WorkSize.x, from.y + viewport->WorkSize.y),
-      theme.packed(draw::Tone::kBackground));
-}
+// Fills the window around two panels that stand side by side, from `top` down to their lower edge.
+// The panels themselves have the colour to which the window is cleared: every pixel is painted
+// once, which a software renderer needs.
+class Surroundings {
+ public:
+  explicit Surroundings(const draw::Theme& theme)
+      : list_(ImGui::GetWindowDrawList()), colour_(theme.packed(draw::Tone::kBackground)) {
+    list_->ChannelsSplit(2);
+    list_->ChannelsSetCurrent(1);
+  }
+  Surroundings(const Surroundings&) = delete;
+  Surroundings& operator=(const Surroundings&) = delete;
+  // Fills the rest.
+  ~Surroundings() {
+    fill({ImVec2(left(), top_), ImVec2(right(), bottom())});
+    list_->ChannelsMerge();
+  }
+
+  // `from`, `to`: of the row of panels.
+  void leave_out(ImVec2 from, ImVec2 to, std::size_t panels, float gap) {
+    fill({ImVec2(left(), top_), ImVec2(right(), from.y)});
+    fill({ImVec2(left(), from.y), ImVec2(from.x, to.y)});
+    fill({ImVec2(to.x, from.y), ImVec2(right(), to.y)});
+    const auto count = static_cast<float>(panels);
+    const float width = (to.x - from.x - (count - 1.0F) * gap) / count;
+    for (std::size_t i = 1; i < panels; ++i) {
+      const float x = from.x + static_cast<float>(i) * (width + gap);
+      fill({ImVec2(x - gap, from.y), ImVec2(x, to.y)});
+    }
+    top_ = to.y;
+  }
+
+ private:
+  [[nodiscard]] static float left() { return ImGui::GetMainViewport()->WorkPos.x; }
+  [[nodiscard]] static float right() { return left() + ImGui::GetMainViewport()->WorkSize.x; }
+  [[nodiscard]] static float bottom() {
+    const ImGuiViewport* viewport = ImGui::GetMainViewport();
+    return viewport->WorkPos.y + viewport->WorkSize.y;
+  }
+  void fill(const PixelBox& box) {
+    list_->ChannelsSetCurrent(0);
+    list_->AddRectFilled(box.from, box.to, colour_);
+    list_->ChannelsSetCurrent(1);
+  }
+
+  ImDrawList* list_;
+  ImU32 colour_;
+  float top_ = ImGui::GetMainViewport()->WorkPos.y;  // what is above is filled
+};
 
 // Leaves `below` pixels free under the plots.
-void draw_walls_and_plots(const FirstParts& parts, float below) {
+void draw_walls_and_plots(const FirstParts& parts, Surroundings& around, float below) {
   follow_newest(parts.page.context.time, parts.page.history.newest_time_s());
   const ImVec2 free = ImGui::GetContentRegionAvail();
   const float height = std::max(free.y - below - 2.0F * ems(kGapEms), ems(kLeastEms));
   const std::vector<CardWall> cards = cards_of(parts);
+  const float gap = ems(kGapEms);
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const float plots = corner.y + kCardShare * height + gap;
+  around.leave_out(corner, ImVec2(corner.x + free.x, plots - gap), cards.size(), gap);
+  around.leave_out(ImVec2(corner.x, plots),
+                   ImVec2(corner.x + free.x, plots + (1.0F - kCardShare) * height),
+                   kShownPlots.size(), gap);
   draw_cards(parts, cards, ImVec2(free.x, kCardShare * height));
   draw_plots(parts, cards, ImVec2(free.x, (1.0F - kCardShare) * height));
 }
 
 // Walls, plots and large keys, and everything as large as the window has room for.
-void draw_presentation(const FirstParts& parts) {
+void draw_presentation(const FirstParts& parts, Surroundings& around) {
   const ScaleScope large(presented_scale());
   const float keys = kKeySize * ImGui::GetStyle().FontScaleMain;
-  draw_walls_and_plots(parts, keys + 2.0F * ImGui::GetStyle().FramePadding.y);
+  draw_walls_and_plots(parts, around, keys + 2.0F * ImGui::GetStyle().FramePadding.y);
   const draw::FontScope font(parts.page.context.theme.fonts.strong, kKeySize);
   draw_chips(parts.page.context);
 }
@@ -294,14 +341,15 @@ bool shows_first_window(const PanelContext& context) {
 
 void draw_first_window(const FirstParts& parts) {
   const PanelContext& context = parts.page.context;
-  darken(context.theme);
-  if (context.window.presents) return draw_presentation(parts);
+  Surroundings around(context.theme);
+  if (context.window.presents) return draw_presentation(parts, around);
   const ScaleScope fitting(fitting_scale());
   draw_head(context);
   draw_rows_of_use(context);
   const ImGuiStyle& style = ImGui::GetStyle();
-  draw_walls_and_plots(parts, ImGui::GetFrameHeight() + style.ItemSpacing.y +
-                                  draw::kSmallFontSize * style.FontScaleMain);
+  draw_walls_and_plots(
+      parts, around,
+      ImGui::GetFrameHeight() + style.ItemSpacing.y + draw::kSmallFontSize * style.FontScaleMain);
   draw_chips(context);
   const draw::FontScope font(nullptr, draw::kSmallFontSize);
   draw_foot(context);

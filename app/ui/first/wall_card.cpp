@@ -52,7 +52,6 @@ void take_click(const FirstParts& parts, const CardWall& wall, const draw::Pixel
 
 void draw_frame(const PanelContext& context, const CardWall& wall, const draw::PixelBox& box) {
   const float scale = ImGui::GetStyle().FontScaleMain;
-  fill_panel(context.theme, box);
   const draw::Tone edge = wall.leads ? draw::tail_tone(wall.tail) : draw::Tone::kFaint;
   ImGui::GetWindowDrawList()->AddRect(box.from, box.to, context.theme.packed(edge),
                                       kCornerRadius * scale, 0,
@@ -120,11 +119,6 @@ std::string spoken_name(const AlgorithmSettings& algorithm) {
   if (name == "none") return "no algorithm";
   std::ranges::replace(name, '-', ' ');
   return name;
-}
-
-void fill_panel(const draw::Theme& theme, const draw::PixelBox& box) {
-  ImGui::GetWindowDrawList()->AddRectFilled(box.from, box.to, theme.packed(draw::Tone::kPanel),
-                                            kCornerRadius * ImGui::GetStyle().FontScaleMain);
 }
 
 float strip_width(float card_width) {

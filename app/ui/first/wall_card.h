@@ -23,9 +23,6 @@ struct CardWall {
 // "no algorithm", "energy bounding".
 [[nodiscard]] std::string spoken_name(const AlgorithmSettings& algorithm);
 
-// The background of a card or of a plot.
-void fill_panel(const draw::Theme& theme, const draw::PixelBox& box);
-
 // Both cards have one magnification, `span_m` for a strip of `strip_width()`.
 void draw_wall_card(const FirstParts& parts, WallRenderer& renderer, const CardWall& wall,
                     const draw::PixelBox& box, double span_m);
