@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <string>
 
+#include "app/draw/wall/wall_trail.h"
 #include "app/ui/page/magnifier.h"
 #include "app/ui/panel/energy_lamp_view.h"
 #include "app/ui/panel/tour_strip.h"
@@ -19,6 +20,7 @@ namespace hapticwall::ui {
 namespace {
 
 constexpr float kPaddingEms = 1.0F;
+constexpr float kTrailNameEms = 6.0F;  // height of a trail that has room for its name
 constexpr float kLowCardEms = 9.0F;    // height of the rows below the verdict
 constexpr float kStripShare = 0.42F;   // of the width inside the padding
 constexpr float kStripGapEms = 0.8F;   // between the picture and the contact
@@ -68,7 +70,7 @@ float draw_name(const PanelContext& context, const CardWall& wall, const draw::P
   ImGui::SameLine();
   draw::strong_text(context.theme, spoken_name(wall.algorithm));
   if (presents) return below;
-  const char* role = wall.leads ? "leads the session" : "click to lead";
+  const char* role = wall.leads ? "keys act here" : "click to choose";
   const draw::FontScope font(nullptr, draw::kSmallFontSize);
   ImGui::SetCursorScreenPos(
       ImVec2(inside.to.x - ImGui::CalcTextSize(role).x, inside.from.y + 1.0F));
@@ -110,6 +112,10 @@ void draw_pictures(const FirstParts& parts, WallRenderer& renderer, const CardWa
   ImGui::SetCursorScreenPos(ImVec2(contact.x + inset.x, contact.y + inset.y));
   ImGui::TextColored(context.theme.colour(draw::Tone::kMuted), "contact ×%d",
                      context.wall.transient.magnification);
+  const float trail = contact.y + draw::Strip::kTrailShare * (box.to.y - box.from.y);
+  if (box.to.y - trail < kTrailNameEms * ImGui::GetFontSize()) return;
+  ImGui::SetCursorScreenPos(ImVec2(contact.x + inset.x, trail + inset.y));
+  ImGui::TextColored(context.theme.colour(draw::Tone::kMuted), "last\n%g s ↓", draw::kTrailS);
 }
 
 }  // namespace

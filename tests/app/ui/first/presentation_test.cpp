@@ -40,7 +40,7 @@ TEST_F(PresentationTest, ShowsTwoWallsTwoPlotsAndKeysAndNothingElse) {
                            "contact ×10", "runs Position", "runs Force", "none", "half-sample"})
     EXPECT_TRUE(sees(item)) << item;
   for (const char* item : {"pause", "reset", "begin tour", "more", "help", "tour next",
-                           "leads the session", "F1…", "The hold has fed the hand…"})
+                           "keys act here", "F1…", "The hold has fed the hand…"})
     EXPECT_FALSE(sees(item)) << item;
   press(ImGuiKey_F5);
   EXPECT_FALSE(presents());
