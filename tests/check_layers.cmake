@@ -7,7 +7,7 @@
 # Within a layer the rooms have arrows, too:
 #   device <- device/link <- device/port; app/session: loop <- the files beside it;
 #   app/command: the files beside the rooms <- run, study, map, device; run, study <- compare; run <- replay, identify;
-#   app/draw: axis <- plot <- figure, wall <- film; app/ui: wall, computed <- state <- widget <- panel <- page <- first <- window (a widget knows no wall).
+#   app/draw: axis <- plot <- figure, wall, verdict <- film; app/ui: wall, computed <- state <- widget <- panel <- page <- first <- window (a widget knows no wall).
 # `core` is pure: the standard library without clocks, files and threads, Eigen and itself;
 # core/run/workers.cpp alone spreads scenes over the cores.
 # Only app/draw and app/ui know that there is OpenGL. Usage: cmake -DROOT=FOLDER -P check_layers.cmake
@@ -32,13 +32,14 @@ set(may_include_app/python core app/file app/session app/table app/study app/pyt
 set(may_include_app ${layers})
 set(may_include_tests ${layers})
 
-set(rooms app/draw/axis app/draw/plot app/draw/figure app/draw/wall app/draw/film app/ui/wall app/ui/computed app/ui/state app/ui/widget app/ui/panel
+set(rooms app/draw/axis app/draw/plot app/draw/figure app/draw/wall app/draw/verdict app/draw/film app/ui/wall app/ui/computed app/ui/state app/ui/widget app/ui/panel
     app/ui/page app/ui/first app/ui/window)
 set(may_include_app/draw/axis app/draw/axis)
 set(may_include_app/draw/plot app/draw/axis app/draw/plot)
 set(may_include_app/draw/figure app/draw/axis app/draw/plot app/draw/figure)
 set(may_include_app/draw/wall app/draw/axis app/draw/plot app/draw/wall)
-set(may_include_app/draw/film app/draw/axis app/draw/plot app/draw/figure app/draw/wall app/draw/film)
+set(may_include_app/draw/verdict app/draw/plot app/draw/verdict)
+set(may_include_app/draw/film app/draw/axis app/draw/plot app/draw/figure app/draw/wall app/draw/verdict app/draw/film)
 set(may_include_app/ui/wall app/ui/wall)
 set(may_include_app/ui/computed app/ui/computed)
 set(may_include_app/ui/state app/ui/wall app/ui/computed app/ui/state)

@@ -325,6 +325,8 @@ Table page_rows() {
 
 Table compare_rows() {
   return {
+      flips("section Compare",
+            [](Person& p) { return p.state().compare.persisted.open ? 1.0 : 0.0; }),
       {"slot A", use_slots},
       flips("ghost", [](Person& p) { return p.state().compare.persisted.ghost_shown ? 1.0 : 0.0; }),
       {"page Plots", see_a_ghost},

@@ -101,9 +101,16 @@ void choose_lengths(Person& person) {
   person.click("follow");
   EXPECT_FALSE(person.state().time.follow);
   person.click("time window");
-  const auto names = person.items_called("length ");
+  auto names = person.items_called("length ");
+  EXPECT_EQ(std::erase(names, "length auto"), 1U);
   EXPECT_EQ(names.size(), ui::kTimeWindowsS.size());
   person.put_everything_away();
+  flip_twice(
+      person, [](Person& p) { return p.state().time.follows_rhythm ? 1.0 : 0.0; },
+      [&] {
+        person.click("time window");
+        person.click("length auto");
+      });
   double before_s = 0.0;
   const auto choose = [&](const std::string& name) {
     person.click("time window");
@@ -183,8 +190,10 @@ void open_signals(Person& person, PlotId id) {
 void choose_every_signal(Person& person, PlotId id) {
   open_signals(person, id);
   for (const draw::PlotLine& line : all_lines()[id].lines) {
-    flip_item(person, std::string("signal ") + line.name,
-              [id](Person& p) { return static_cast<double>(chosen(p, id)); });
+    flip_item(person, std::string("signal ") + line.name, [id](Person& p) {
+      const bool counts = p.state().plots.persisted.show_counts;  // of the encoder, on demand
+      return static_cast<double>(chosen(p, id)) + (counts ? 0.5 : 0.0);
+    });
   }
 }
 

@@ -223,6 +223,7 @@ void draw_panels(const Theme& theme, std::span<const FigurePanel> panels, ImVec2
     const ImVec2 below = ImGui::GetCursorScreenPos();
     ImGui::SetCursorScreenPos({below.x, below.y + gap});
   }
+  ImGui::Dummy(ImVec2());  // a moved cursor alone extends no window
   ImPlot::EndAlignedPlots();
 }
 

@@ -8,8 +8,8 @@
 
 #include "app/draw/plot/plot_trace.h"
 #include "app/draw/plot/sample_history.h"
-#include "app/draw/plot/tail.h"
-#include "app/draw/plot/verdict_words.h"
+#include "app/draw/verdict/tail.h"
+#include "app/draw/verdict/verdict_words.h"
 #include "app/draw/wall/wall_picture.h"
 #include "core/scene.h"
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "app/draw/film/film_card.h"
-#include "app/draw/plot/dashes.h"
+#include "app/draw/axis/dashes.h"
 #include "core/environment/environment.h"
 
 namespace hapticwall::draw {

@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "app/draw/axis/symbol_text.h"
-#include "app/draw/plot/dashes.h"
+#include "app/draw/axis/dashes.h"
 
 namespace hapticwall::draw {
 namespace {

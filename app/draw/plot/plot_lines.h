@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "app/draw/axis/ticks.h"
-#include "app/draw/plot/dashes.h"
+#include "app/draw/axis/dashes.h"
 #include "app/draw/plot/sample_history.h"
 #include "app/draw/plot/theme.h"
 

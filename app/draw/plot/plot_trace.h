@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "app/draw/plot/dashes.h"
+#include "app/draw/axis/dashes.h"
 #include "app/draw/plot/plot_labels.h"
 #include "app/draw/plot/signal_shape.h"
 

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "app/draw/plot/dashes.h"
+#include "app/draw/axis/dashes.h"
 
 namespace hapticwall::draw {
 namespace {

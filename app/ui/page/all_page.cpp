@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/draw/plot/plot_axes.h"
-#include "app/draw/plot/tail.h"
+#include "app/draw/verdict/tail.h"
 #include "app/file/text/verdict.h"
 #include "app/ui/computed/all_runs.h"
 #include "app/ui/page/pages.h"

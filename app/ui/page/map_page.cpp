@@ -6,7 +6,7 @@
 
 #include "app/draw/figure/map_field.h"
 #include "app/draw/figure/map_legend.h"
-#include "app/draw/plot/tail.h"
+#include "app/draw/verdict/tail.h"
 #include "app/file/text/number_name.h"
 #include "app/ui/page/map_controls.h"
 #include "app/ui/page/map_state.h"

@@ -79,6 +79,7 @@ void draw_compare_section(const PanelContext& context) {
   bool& open = context.compare.persisted.open;
   ImGui::SetNextItemOpen(open);
   open = folding_section(context, "Compare", summary);
+  explain("Two algorithms to switch between (Tab), and what follows the algorithm in force.");
   if (!open) return;
   draw_slot(context, Slot::kA);
   draw_slot(context, Slot::kB);

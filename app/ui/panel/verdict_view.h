@@ -3,7 +3,7 @@
 #pragma once
 
 #include "app/draw/plot/theme.h"
-#include "app/draw/plot/verdict_words.h"
+#include "app/draw/verdict/verdict_words.h"
 #include "app/ui/state/panel_context.h"
 
 namespace hapticwall::ui {

@@ -1,7 +1,7 @@
 // The arguments of every panel.
 #pragma once
 
-#include "app/draw/plot/tail.h"
+#include "app/draw/verdict/tail.h"
 #include "app/draw/plot/theme.h"
 #include "app/session/live_session.h"
 #include "app/session/replay_session.h"

@@ -8,7 +8,7 @@
 #include <span>
 #include <string_view>
 
-#include "app/draw/plot/tail.h"
+#include "app/draw/verdict/tail.h"
 #include "core/scene.h"
 #include "core/study/energy_story.h"
 

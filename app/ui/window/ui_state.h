@@ -1,7 +1,7 @@
 // The states of all pages, panels and views, owned by the application.
 #pragma once
 
-#include "app/draw/plot/tail.h"
+#include "app/draw/verdict/tail.h"
 #include "app/ui/computed/all_runs.h"
 #include "app/ui/computed/study_state.h"
 #include "app/ui/first/first_window.h"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <set>
 
-#include "app/draw/plot/tail.h"
+#include "app/draw/verdict/tail.h"
 #include "app/file/scene/scene_file.h"
 #include "core/run/simulate.h"
 #include "tests/app/session/support.h"

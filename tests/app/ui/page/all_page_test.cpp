@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/draw/plot/tail.h"
+#include "app/draw/verdict/tail.h"
 #include "app/ui/state/blind_test.h"
 #include "core/run/simulate.h"
 #include "tests/app/ui/gui_test.h"

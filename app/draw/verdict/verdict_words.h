@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "app/draw/plot/tail.h"
+#include "app/draw/verdict/tail.h"
 #include "app/draw/plot/tone.h"
 
 namespace hapticwall::draw {

@@ -1,4 +1,4 @@
-#include "app/draw/plot/verdict_words.h"
+#include "app/draw/verdict/verdict_words.h"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // The strip of the window tells what `run` tells of the same second.
-#include "app/draw/plot/tail.h"
+#include "app/draw/verdict/tail.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "app/draw/plot/dashes.h"
+#include "app/draw/axis/dashes.h"
 
 #include <imgui_internal.h>
 

@@ -1,4 +1,4 @@
-#include "app/draw/plot/tail.h"
+#include "app/draw/verdict/tail.h"
 
 #include <fmt/format.h>
 
