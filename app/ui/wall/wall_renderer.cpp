@@ -58,10 +58,20 @@ struct Drawn {
   }
 };
 
+// What all pictures are drawn with.
+struct WallShaders {
+  WallFloor floor;
+  WallSolids solids;
+};
+
 class Renderer final : public WallRenderer {
  public:
-  Renderer(WallFloor floor, WallSolids solids)
-      : floor_(std::move(floor)), solids_(std::move(solids)), drafts_first_(draws_by_software()) {}
+  explicit Renderer(std::shared_ptr<const WallShaders> shaders)
+      : shaders_(std::move(shaders)), drafts_first_(draws_by_software()) {}
+
+  [[nodiscard]] std::unique_ptr<WallRenderer> another() const override {
+    return std::make_unique<Renderer>(shaders_);
+  }
 
   GLuint draw(const WallPicture& picture, const WallCamera& camera, const draw::Theme& theme,
               int width, int height) override;
@@ -84,8 +94,7 @@ class Renderer final : public WallRenderer {
   bool draw_fine(const WallView& view);
   void draw_solids(const WallView& view) const;
 
-  WallFloor floor_;
-  WallSolids solids_;
+  std::shared_ptr<const WallShaders> shaders_;
   bool drafts_first_;
   float draft_share_ = 1.0F;
   std::optional<draw::GlTarget> ground_;  // the floor of the last draft, which seldom changes
@@ -119,9 +128,9 @@ bool Renderer::needs_drawing(const Drawn& wanted) {
 }
 
 void Renderer::draw_solids(const WallView& view) const {
-  floor_.draw_shadow(view);
+  shaders_->floor.draw_shadow(view);
   glClear(GL_DEPTH_BUFFER_BIT);
-  solids_.draw(view);
+  shaders_->solids.draw(view);
 }
 
 bool Renderer::draw_draft(const WallView& view) {
@@ -134,7 +143,7 @@ bool Renderer::draw_draft(const WallView& view) {
     last_ground_.reset();
     if (!ensure(ground_, width, height, samples)) return false;
     ground_->bind();
-    floor_.draw(view, height);
+    shaders_->floor.draw(view, height);
     last_ground_ = last_;
   }
   draft_->copy_colours(*ground_);
@@ -147,7 +156,7 @@ bool Renderer::draw_draft(const WallView& view) {
 bool Renderer::draw_fine(const WallView& view) {
   if (!ensure(fine_, last_.width, last_.height, kSamplesPerPixel)) return false;
   fine_->bind();
-  floor_.draw(view, last_.height);
+  shaders_->floor.draw(view, last_.height);
   draw_solids(view);
   fine_->resolve();
   return true;
@@ -198,8 +207,8 @@ Result<std::unique_ptr<WallRenderer>> WallRenderer::create() {
   if (!floor) return floor.error();
   Result<WallSolids> solids = WallSolids::create();
   if (!solids) return solids.error();
-  return std::unique_ptr<WallRenderer>(
-      std::make_unique<Renderer>(std::move(*floor), std::move(*solids)));
+  return std::unique_ptr<WallRenderer>(std::make_unique<Renderer>(
+      std::make_shared<const WallShaders>(WallShaders{std::move(*floor), std::move(*solids)})));
 }
 
 }  // namespace hapticwall::ui

@@ -17,6 +17,8 @@ class WallRenderer {
   // Needs a current OpenGL 3.3 context for its whole life.
   [[nodiscard]] static Result<std::unique_ptr<WallRenderer>> create();
   virtual ~WallRenderer() = default;
+  // A renderer of another picture with the same shaders and shapes.
+  [[nodiscard]] virtual std::unique_ptr<WallRenderer> another() const = 0;
 
   // Returns the texture of a picture of this size in pixels, upside down as usual in OpenGL; 0 if
   // the driver refuses the size. Draws when something has changed by more than an eighth of a

@@ -39,10 +39,8 @@ Result<std::unique_ptr<Application>> Application::create(const Scene& scene, con
                                                          Sessions sessions) {
   Result<std::unique_ptr<WallRenderer>> renderer = WallRenderer::create();
   if (!renderer) return renderer.error();
-  Result<std::unique_ptr<WallRenderer>> other_renderer = WallRenderer::create();
-  if (!other_renderer) return other_renderer.error();
-  std::unique_ptr<Application> application(new Application(
-      std::move(sessions), std::move(*renderer), std::move(*other_renderer), theme, options));
+  std::unique_ptr<Application> application(
+      new Application(std::move(sessions), std::move(*renderer), theme, options));
   if (Failure failure = application->start_first(scene)) return *std::move(failure);
   if (options.experiment) {
     if (Failure failure = start_experiment(application->state_.compare, application->state_.dock,
@@ -54,11 +52,10 @@ Result<std::unique_ptr<Application>> Application::create(const Scene& scene, con
 }
 
 Application::Application(Sessions sessions, std::unique_ptr<WallRenderer> renderer,
-                         std::unique_ptr<WallRenderer> other_renderer, const draw::Theme& theme,
-                         const Options& options)
+                         const draw::Theme& theme, const Options& options)
     : sessions_(std::move(sessions)),
       renderer_(std::move(renderer)),
-      other_renderer_(std::move(other_renderer)),
+      other_renderer_(renderer_->another()),
       theme_(theme),
       settings_(options.settings_path),
       now_s_(options.now_s),

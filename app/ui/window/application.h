@@ -105,8 +105,7 @@ class Application {
   [[nodiscard]] const WallRenderer& renderer() const { return *renderer_; }
 
  private:
-  Application(Sessions sessions, std::unique_ptr<WallRenderer> renderer,
-              std::unique_ptr<WallRenderer> other_renderer, const draw::Theme& theme,
+  Application(Sessions sessions, std::unique_ptr<WallRenderer> renderer, const draw::Theme& theme,
               const Options& options);
 
   [[nodiscard]] Failure start_first(const Scene& scene);
