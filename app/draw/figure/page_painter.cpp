@@ -11,7 +11,7 @@
 namespace hapticwall::draw {
 namespace {
 
-constexpr int kSettlingFrames = 3;      // until ImGui's and ImPlot's sizes have settled
+constexpr int kSettlingFrames = 3;       // until ImGui's and ImPlot's sizes have settled
 constexpr float kPictureMargin = 24.0F;  // pixels at scale 1
 
 ImVec2 pixels_of(PictureSize size) {

@@ -145,8 +145,8 @@ void ShapeWriter::flush_line() {
 
 }  // namespace
 
-Failure draw_shapes(const ImDrawData& frame, FontFaces& faces,
-                    std::vector<file::DrawnText>* texts, cairo_t* page) {
+Failure draw_shapes(const ImDrawData& frame, FontFaces& faces, std::vector<file::DrawnText>* texts,
+                    cairo_t* page) {
   ShapeWriter writer(page, faces, texts);
   for (const ImDrawList* list : frame.CmdLists) {
     for (const ImDrawCmd& command : list->CmdBuffer) {
