@@ -43,7 +43,8 @@ class FontFaces;
 
 // Draws areas, lines with their weights, and text in the embedded fonts onto `page`. Preconditions:
 // the frame was drawn without anti-aliasing, and its context of Dear ImGui, to which `faces`
-// belong, is current. `texts`, unless null, receives the texts. Fails (ErrorKind::kFile) for a texture that is no glyph. Realtime-safe: no.
+// belong, is current. `texts`, unless null, receives the texts. Fails (ErrorKind::kFile) for a
+// texture that is no glyph. Realtime-safe: no.
 [[nodiscard]] Failure draw_shapes(const ImDrawData& frame, FontFaces& faces,
                                   std::vector<file::DrawnText>* texts, cairo_t* page);
 

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "app/draw/film/film_card.h"
 #include "app/draw/axis/dashes.h"
+#include "app/draw/film/film_card.h"
 #include "core/environment/environment.h"
 
 namespace hapticwall::draw {

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <optional>
 
-#include "app/draw/axis/symbol_text.h"
 #include "app/draw/axis/dashes.h"
+#include "app/draw/axis/symbol_text.h"
 
 namespace hapticwall::draw {
 namespace {

@@ -10,8 +10,8 @@
 #include <string_view>
 #include <vector>
 
-#include "app/draw/axis/ticks.h"
 #include "app/draw/axis/dashes.h"
+#include "app/draw/axis/ticks.h"
 #include "app/draw/plot/sample_history.h"
 #include "app/draw/plot/theme.h"
 

@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "app/draw/verdict/tail.h"
 #include "app/draw/plot/tone.h"
+#include "app/draw/verdict/tail.h"
 
 namespace hapticwall::draw {
 

@@ -7,9 +7,9 @@
 #include <span>
 
 #include "app/draw/plot/sample_history.h"
+#include "app/draw/verdict/tail.h"
 #include "app/session/counterpart.h"
 #include "app/session/sample_source.h"
-#include "app/draw/verdict/tail.h"
 #include "core/algorithm_settings.h"
 #include "core/sample.h"
 #include "core/scene.h"

@@ -1,8 +1,8 @@
 // The arguments of every panel.
 #pragma once
 
-#include "app/draw/verdict/tail.h"
 #include "app/draw/plot/theme.h"
+#include "app/draw/verdict/tail.h"
 #include "app/session/live_session.h"
 #include "app/session/replay_session.h"
 #include "app/ui/state/messages.h"
