@@ -26,11 +26,13 @@ void OtherWall::take(const Sample& of_session, const Scene& wanted) {
   next_tick_ = of_session.tick + 1;
   if (begins) begin(wanted, of_session);
   if (diverged_) return;
-  const Sample* sample = run_->follow(of_session);
-  diverged_ = sample == nullptr;
+  const Sample* computed = run_->follow(of_session);
+  diverged_ = computed == nullptr;
   if (diverged_) return;
-  history_.push(*sample);
-  lamp_->add(*sample);
+  Sample sample = *computed;
+  sample.generation = changes_;  // the lamp's story begins anew with it
+  history_.push(sample);
+  lamp_->add(sample);
 }
 
 void OtherWall::follow(const session::SampleSource& session, std::uint32_t generation,
@@ -43,6 +45,7 @@ void OtherWall::follow(const session::SampleSource& session, std::uint32_t gener
     const bool newest = tick.x().generation == generation;
     if (run_ && newest && (generation != generation_ || other != other_)) {
       run_->change(wanted);
+      ++changes_;
       generation_ = generation;
       other_ = other;
     }
@@ -59,6 +62,12 @@ void OtherWall::judge() {
   const auto end = history_.value(&Sample::tick, history_.size() - 1);
   if (static_cast<std::uint64_t>(end) + 1 == tail_.end_tick) return;
   tail_ = draw::tail_of(history_, scene(), history_.size(), true);
+}
+
+draw::Tail OtherWall::tail() const {
+  draw::Tail tail = tail_;
+  if (diverged_) tail.summary.verdict = Verdict::kDiverged;  // and there is no newer sample
+  return tail;
 }
 
 }  // namespace hapticwall::ui

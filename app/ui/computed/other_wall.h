@@ -40,7 +40,8 @@ class OtherWall {
   [[nodiscard]] const Scene& scene() const { return run_->scene(); }
   [[nodiscard]] const draw::SampleHistory& history() const { return history_; }
   [[nodiscard]] Sample newest() const { return history_.sample(history_.size() - 1); }
-  [[nodiscard]] const draw::Tail& tail() const { return tail_; }
+  // `diverged` from the tick on at which the run ended.
+  [[nodiscard]] draw::Tail tail() const;
   [[nodiscard]] const EnergyStory& story() const { return lamp_->story(); }
 
  private:
@@ -54,6 +55,7 @@ class OtherWall {
   std::uint64_t next_tick_ = 0;  // of the session
   std::uint32_t generation_ = 0;
   AlgorithmSettings other_;
+  std::uint32_t changes_ = 0;  // of the scene, as generation of the counterpart's samples
   bool diverged_ = false;
 };
 

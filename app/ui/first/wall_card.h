@@ -13,7 +13,7 @@ struct CardWall {
   bool leads = false;  // it is the session
   const AlgorithmSettings& algorithm;
   const Scene& scene;
-  const draw::Tail& tail;
+  draw::Tail tail;
   const EnergyStory* story = nullptr;  // null: not known yet
   const draw::SampleHistory& history;
   draw::WallPicture picture;

@@ -146,16 +146,30 @@ TEST_F(FirstWindowTest, ADeviceHasOneWallAndTheUsualPages) {
   EXPECT_TRUE(sees("more"));
 }
 
-TEST_F(FirstWindowTest, AWallThatDivergesSaysSo) {
-  live(100);
+// Under none on a wall of 1e9 N/m without a force limit the handle flies out of reach.
+TEST_F(FirstWindowTest, AnotherWallThatDivergesSaysSo) {
+  press(ImGuiKey_4);
   Scene wild = scene();
   wild.x().walls.front().stiffness_n_per_m = 1e9;
   wild.x().device.force_limit_n.reset();
   ASSERT_FALSE(fake_->change_scene(wild));
   live(3000);
-  click("lead B");
+  EXPECT_EQ(algorithm_of(other().scene()), "none");
+  EXPECT_LT(other().newest().tick, newest().tick);
+  EXPECT_EQ(other().tail().summary.verdict, Verdict::kDiverged);
+  EXPECT_THAT(text(), HasSubstr("diverged"));
+}
+
+// The energy that none has fed the hand is no debt of the algorithm that comes after it.
+TEST_F(FirstWindowTest, TheStoryOfTheOtherWallBeginsAnewWithItsAlgorithm) {
+  press(ImGuiKey_4);  // the other wall takes none
   live(3000);
-  EXPECT_TRUE(sees("wall view")) << "the window goes on";
+  const double fed_j = other().story().extracted_j;
+  EXPECT_GT(fed_j, 0.1);
+  press(ImGuiKey_1);  // the two swap
+  live(100);
+  EXPECT_EQ(algorithm_of(other().scene()), "energy-bounding");
+  EXPECT_LT(other().story().extracted_j, 0.5 * fed_j);
 }
 
 }  // namespace
