@@ -43,6 +43,10 @@ Result<std::unique_ptr<LiveSession>> start_under(BorrowedAlgorithm* borrowed,
                  "the scene has a second axis, which sessions on a device do not drive yet; "
                  "the simulator does"};
   }
+  if (options.driver == Driver::kTurnedByOwner && !device->info().is_simulated) {
+    return Error{ErrorKind::kUsage,
+                 "a session on a device has its own thread: a hand must not wait for its owner"};
+  }
   if (Failure failure = device->open()) return *std::move(failure);
   const Scene scene_here = scene_on(scene, device->info());
   if (Failure failure = check(scene_here, ErrorKind::kDevice, device->info().name + ": "))

@@ -1,7 +1,8 @@
 // A live session: the real-time loop on a device, seen from the window or from `run --realtime`.
 //
-// The loop runs on its own thread. Only start, destruction, stop_recording(), a reset() that
-// finishes a recording, and start_recording() beside a stream wait for it.
+// The loop runs on its own thread, or is turned by the owner (Driver). Only start, destruction,
+// stop_recording(), a reset() that finishes a recording, and start_recording() beside a stream wait
+// for it.
 #pragma once
 
 #include <cstddef>
@@ -15,6 +16,7 @@
 
 #include "app/file/recording/sample_stream.h"
 #include "app/session/loop/led_hand.h"
+#include "app/session/loop/loop_driver.h"
 #include "app/session/sample_source.h"
 #include "core/result.h"
 
@@ -37,6 +39,8 @@ struct SessionOptions {
   QueueCapacities queues;
   int affinity_core = -1;  // -1: left to the scheduler
   double spin_s = 0.0;     // busy waiting before every tick, 0 to kMaxSpinS (spinning_clock.h)
+  // kTurnedByOwner: take_ticks() first runs every cycle that is due; simulators only.
+  Driver driver = Driver::kOwnThread;
   bool start_paused = false;
   bool allow_no_realtime = false;  // a real device without real-time priority; simulators never ask
   bool allow_slow_device = false;  // a real device whose delay is poor

@@ -1,7 +1,6 @@
 #include "app/session/loop_session.h"
 
 #include <cmath>
-#include <future>
 #include <utility>
 
 #include "app/session/scene_change.h"
@@ -87,21 +86,16 @@ LoopSession::LoopSession(std::vector<std::unique_ptr<device::Device>> devices, c
     recorder_.stream_into(options.stream, columns_);
     start_recorder(nullptr);
   }
-  std::promise<RealtimeOutcome> set_up;
-  std::future<RealtimeOutcome> outcome = set_up.get_future();
-  const int core = options.affinity_core;
   const double rate_hz = scene.sampling.rate_hz;
-  thread_ = std::thread([this, core, rate_hz, ready = std::move(set_up)]() mutable {
-    ready.set_value(set_up_realtime_thread(core));
-    run_servo_loop(loop_, exchange_, rate_hz, clock_);
-  });
-  realtime_ = describe(outcome.get());
+  driver_ = options.driver == Driver::kTurnedByOwner
+                ? turned_by_owner(loop_, exchange_, rate_hz, clock_)
+                : start_loop_thread(loop_, exchange_, rate_hz, clock_, options.affinity_core);
+  realtime_ = driver_->status();
 }
 
 // Zero force first; the disk may take its time.
 LoopSession::~LoopSession() {
-  exchange_.stop.store(true, std::memory_order_relaxed);
-  thread_.join();
+  driver_.reset();
   static_cast<void>(finish_recording());
 }
 
@@ -214,6 +208,7 @@ void LoopSession::read_timing(TimingHistograms& timing) const {
 }
 
 std::size_t LoopSession::take_ticks(std::span<Tick> out) {
+  driver_->turn();
   exchange_news();
   std::size_t count = 0;
   while (count < out.size() && exchange_.plot.try_pop(out[count])) ++count;

@@ -1,4 +1,4 @@
-// The live session behind live_session.h: the owner's side of the loop, its thread and its
+// The live session behind live_session.h: the owner's side of the loop, its driver and its
 // recorder.
 #pragma once
 
@@ -11,13 +11,12 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <thread>
 #include <vector>
 
 #include "app/session/live_session.h"
 #include "app/session/loop/crash_stop.h"
 #include "app/session/loop/exchange.h"
-#include "app/session/loop/realtime_setup.h"
+#include "app/session/loop/loop_driver.h"
 #include "app/session/loop/servo_loop.h"
 #include "app/session/loop/spinning_clock.h"
 #include "app/session/parameter_history.h"
@@ -131,7 +130,7 @@ class LoopSession final : public LiveSession {
   Noted noted_;
   std::chrono::steady_clock::time_point next_note_;
 
-  std::thread thread_;
+  std::unique_ptr<LoopDriver> driver_;  // last: it begins and ends the loop
 };
 
 }  // namespace hapticwall::session

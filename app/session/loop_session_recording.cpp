@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <chrono>
 #include <limits>
-#include <thread>
 #include <utility>
 
 #include "app/file/recording/sidecar.h"
@@ -11,9 +10,6 @@
 
 namespace hapticwall::session {
 namespace {
-
-// Polling interval of the owner while it waits for the loop.
-constexpr std::chrono::microseconds kAnswerPollInterval{200};
 
 // End of a recording that still runs.
 constexpr std::uint64_t kEndless = std::numeric_limits<std::uint64_t>::max();
@@ -85,7 +81,7 @@ Failure LoopSession::stop_recording() {
 void LoopSession::wait_for_recording_switch() {
   while (exchange_.recording_switches.load(std::memory_order_acquire) != recording_switches_sent_ &&
          !exchange_.finished.load(std::memory_order_acquire)) {
-    std::this_thread::sleep_for(kAnswerPollInterval);
+    driver_->wait();
     exchange_news();
   }
 }

@@ -14,7 +14,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "app/session/loop/servo_loop.h"
+#include "app/session/loop/loop_driver.h"
 #include "app/session/plant_keeper.h"
 #include "tests/app/session/support.h"
 #include "tests/property/extremes_scene.h"

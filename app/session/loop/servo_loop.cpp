@@ -4,9 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "app/session/loop/crash_stop.h"
-#include "core/tick/pulse.h"
-
 namespace hapticwall::session {
 namespace {
 
@@ -323,28 +320,6 @@ void ServoLoop::shut_down(bool by_itself) noexcept {
   if (by_itself) snapshot_.newest.axes[0].flags |= kFlagDeviceFault;
   exchange_.snapshots.publish(snapshot_);
   exchange_.finished.store(true, std::memory_order_release);
-}
-
-void run_servo_loop(ServoLoop& loop, Exchange& exchange, double rate_hz, Clock& clock) noexcept {
-  const LoopWithForce until_shut_down(
-      [](void* ended) noexcept { static_cast<ServoLoop*>(ended)->remove_force(); }, &loop);
-  Pulse pulse;
-  pulse.begin();
-  bool by_itself = false;
-  try {
-    CycleScheduler scheduler(rate_hz, clock.now_ns());
-    while (!exchange.stop.load(std::memory_order_relaxed) && !must_end_force()) {
-      pulse.beat();
-      clock.sleep_until_ns(scheduler.deadline_ns());
-      loop.cycle(scheduler.wake(clock.now_ns()), clock);
-      scheduler.skip(loop.rest_periods());
-    }
-    by_itself = must_end_force();
-  } catch (...) {
-    by_itself = true;
-  }
-  pulse.rest();  // closing a device has its own time limit
-  loop.shut_down(by_itself);
 }
 
 }  // namespace hapticwall::session

@@ -1,4 +1,4 @@
-// The real-time loop: one cycle as a function, and the thread's body around it.
+// The real-time loop: one cycle as a function. loop_driver.h calls it.
 #pragma once
 
 #include <cstdint>
@@ -72,10 +72,5 @@ class ServoLoop {
 
 // Interval at which a paused simulator checks for commands.
 inline constexpr double kRestS = 0.01;
-
-// The thread's body: cycles at `rate_hz` until the exchange says stop. It always ends with zero
-// force and closed devices, also after an exception. Realtime-safe: yes, from the first cycle to
-// the last.
-void run_servo_loop(ServoLoop& loop, Exchange& exchange, double rate_hz, Clock& clock) noexcept;
 
 }  // namespace hapticwall::session

@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -71,6 +73,42 @@ inline std::vector<Sample> all_samples(LiveSession& session) {
   }
   return samples;
 }
+
+// A session that its test turns in virtual time: nothing is waited for, and every run of the test
+// is the same.
+class TurnedSession {
+ public:
+  explicit TurnedSession(const Scene& scene, SessionOptions options = {})
+      : rate_hz_(scene.sampling.rate_hz) {
+    options.driver = Driver::kTurnedByOwner;
+    options.clock = &clock_;
+    session_ = started(scene, options);
+  }
+
+  // Lets so many periods pass, in turns as of a window; the samples of their ticks.
+  std::vector<Sample> pass(std::uint64_t periods) {
+    constexpr std::int64_t kTurnNs = 16'000'000;
+    passed_ += periods;
+    const std::int64_t until_ns =
+        start_ns_ + std::llround(static_cast<double>(passed_) * kNanosecondsPerSecond / rate_hz_);
+    std::vector<Sample> samples;
+    while (clock_.now_ns() < until_ns) {
+      clock_.advance_ns(std::min<std::int64_t>(kTurnNs, until_ns - clock_.now_ns()));
+      for (const Sample& sample : all_samples(*session_)) samples.push_back(sample);
+    }
+    return samples;
+  }
+  LiveSession& operator*() { return *session_; }
+  LiveSession* operator->() { return session_.get(); }
+  FakeClock& clock() { return clock_; }
+
+ private:
+  double rate_hz_;
+  FakeClock clock_;
+  std::int64_t start_ns_ = clock_.now_ns();
+  std::uint64_t passed_ = 0;
+  std::unique_ptr<LiveSession> session_;
+};
 
 inline std::vector<std::unique_ptr<device::Device>> one_device(
     std::unique_ptr<device::Device> device) {

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <utility>
 
-#include "app/session/loop/servo_loop.h"
+#include "app/session/loop/loop_driver.h"
 #include "tests/app/session/support.h"
 
 namespace hapticwall::session::test {

@@ -12,8 +12,8 @@
 #include <thread>
 #include <vector>
 
+#include "app/session/loop/loop_driver.h"
 #include "app/session/loop/realtime_setup.h"
-#include "app/session/loop/servo_loop.h"
 #include "app/session/recorder.h"
 #include "device/simulated_device.h"
 #include "tests/app/session/loop/child_support.h"
