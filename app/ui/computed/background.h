@@ -10,6 +10,7 @@
 #include <future>
 #include <memory>
 #include <optional>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -24,7 +25,7 @@ namespace hapticwall::ui {
 }
 
 // One task at a time. All members are called from the owner's thread. None waits, except the
-// destructor, which waits for the end of the task.
+// destructor, which waits for the end of the task, and start() on a machine without a thread.
 template <typename T>
 class Background {
  public:
@@ -46,12 +47,19 @@ class Background {
   void start(Work work) {
     give_up();
     state_ = std::make_shared<State>();
-    future_ = std::async(std::launch::async, [state = state_, work = std::move(work)] {
+    const auto run = [state = state_, work = std::move(work)] {
       return guarded(work, [&state](double fraction) {
         state->fraction.store(fraction, std::memory_order_relaxed);
         return !state->given_up.load(std::memory_order_relaxed);
       });
-    });
+    };
+    try {
+      future_ = std::async(std::launch::async, run);
+    } catch (const std::system_error&) {  // no thread to be had: at once, while the window waits
+      std::promise<Result<T>> done;
+      done.set_value(run());
+      future_ = done.get_future();
+    }
   }
 
   // Cancels the task; its thread ends at its next progress report.

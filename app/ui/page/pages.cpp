@@ -80,15 +80,26 @@ constexpr std::array kPages{
          kStill | ImGuiWindowFlags_NoBackground},  // the picture covers the background
     Page{{"Contact", "The contact, magnified"}, draw_contact, true, nullptr, kStill},
     Page{{kPlotsPage, "Position, force, stiffness and energy over time"}, draw_plots, true},
-    Page{{"Timing", "Timing of the loop and of the window"}, draw_timing, true, notice_timing},
+    Page{{"Timing", "Timing of the loop and of the window"},
+         draw_timing,
+         true,
+         notice_timing,
+         0,
+         &Capabilities::timing},
     Page{{kBlindTestPage, "Which of two walls? A and B of Compare, in hidden order"},
-         draw_blind_test},
+         draw_blind_test,
+         false,
+         nullptr,
+         0,
+         &Capabilities::files},
     Page{{"Map",
           "Stability of the present scene over two of its numbers. A click makes a cell the "
           "running scene."},
          draw_map,
          true,
-         notice_map},
+         notice_map,
+         0,
+         &Capabilities::threads},
     Page{{"All at once", "The present scene under all algorithms. A click puts one in force."},
          draw_all,
          true,
@@ -97,11 +108,15 @@ constexpr std::array kPages{
         {"Identify", "Mass, damping, friction and delay of the device; the handle moves by itself"},
         draw_identify,
         true,
-        notice_identify},
+        notice_identify,
+        0,
+        &Capabilities::devices},
     Page{{"Study", "Tables of the present scene: the algorithms ranked, the integrators measured"},
          draw_study,
          true,
-         notice_study}};
+         notice_study,
+         0,
+         &Capabilities::threads}};
 
 }  // namespace
 

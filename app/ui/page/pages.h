@@ -33,7 +33,9 @@ struct Page {
   bool hidden_by_blind_test = false;     // it would reveal the order
   void (*notice)(const PageParts& parts, bool seen) = nullptr;  // called once a frame, seen or not
   ImGuiWindowFlags flags = 0;
+  Needs needs = nullptr;
 };
+// All of them, whatever the machine has.
 [[nodiscard]] std::span<const Page> pages();
 
 // Pages, each in the source of its name.

@@ -259,6 +259,7 @@ void draw_plot_controls(const PanelContext& context, const draw::SampleHistory& 
     if (&control != kControls.data()) beside(ems(control.width_ems));
     control.draw(context);
   }
+  if (!context.can.files) return;
   beside(2.0F * ems(kExportEms) + ImGui::GetStyle().ItemSpacing.x);
   draw_exports(context, history);
 }

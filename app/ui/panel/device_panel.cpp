@@ -85,6 +85,7 @@ void draw_device_choices(const PanelContext& context) {
                     device->source))
       take_device(context, builtin.name);
   }
+  if (!context.can.files) return;
   ImGui::Separator();
   ImGui::SetNextItemWidth(-1.0F);
   const auto path = text_field(context, "##device file", "name or path", "");

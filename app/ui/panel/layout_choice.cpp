@@ -33,7 +33,7 @@ constexpr std::array kBuiltins{
                   "The three plots of Figures 5 and 6 of the paper, parameters, a small wall",
                   "X21.5em(Controls;Y22%(Wall;Plots))", PlotArrangement::kFigure5And6},
     BuiltinLayout{"experiment", "The blind test, the wall and the parameters",
-                  "X21.5em(Controls;Y45%(Wall;Blind test))", std::nullopt}};
+                  "X21.5em(Controls;Y45%(Wall;Blind test))", std::nullopt, &Capabilities::files}};
 
 const BuiltinLayout* builtin_called(std::string_view name) {
   const auto* found = std::ranges::find(
@@ -48,11 +48,12 @@ std::optional<DockLayout> layout_called(const DockState& dock, const std::string
   return found == own.end() ? std::nullopt : std::optional(found->layout);
 }
 
-std::vector<std::string> layout_names(const DockState& dock) {
+std::vector<std::string> layout_names(const PanelContext& context) {
   std::vector<std::string> names;
-  names.reserve(std::size(kBuiltins) + dock.own_layouts.size());
-  for (const BuiltinLayout& each : kBuiltins) names.emplace_back(each.name);
-  for (const OwnLayout& each : dock.own_layouts) names.push_back(each.name);
+  for (const BuiltinLayout& each : kBuiltins) {
+    if (has(context.can, each.needs)) names.emplace_back(each.name);
+  }
+  for (const OwnLayout& each : context.dock.own_layouts) names.push_back(each.name);
   return names;
 }
 
@@ -84,7 +85,7 @@ void show_layout(DockState& dock, DockLayout layout) {
 }
 
 void draw_names(const PanelContext& context) {
-  for (const std::string& name : layout_names(context.dock)) {
+  for (const std::string& name : layout_names(context)) {
     const BuiltinLayout* builtin = builtin_called(name);
     if (list_choice(fmt::format("{0}###layout of {0}", name), context.dock.layout == name,
                     builtin != nullptr ? builtin->meaning : "A layout of your own"))
@@ -166,7 +167,7 @@ void choose_layout(DockState& dock, WindowState& window, PlotsState& plots,
 }
 
 void choose_next_layout(const PanelContext& context) {
-  const std::vector<std::string> names = layout_names(context.dock);
+  const std::vector<std::string> names = layout_names(context);
   const auto now = std::ranges::find(names, context.dock.layout);
   const bool last = now == names.end() || std::next(now) == names.end();
   choose_layout(context.dock, context.window, context.plots,

@@ -22,6 +22,7 @@ struct BuiltinLayout {
   const char* meaning;
   const char* text;  // input of parse_layout()
   std::optional<PlotArrangement> arrangement;
+  Needs needs = nullptr;
 };
 [[nodiscard]] std::span<const BuiltinLayout> builtin_layouts();
 

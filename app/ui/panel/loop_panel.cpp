@@ -210,7 +210,7 @@ void draw_loop_section(const PanelContext& context) {
   draw_departures(context, simulated);
   draw_estimator_choice(context);
   draw_estimator_numbers(context);
-  draw_cost(context);
+  if (context.can.timing) draw_cost(context);
   if (simulated) draw_balance(context);
 }
 

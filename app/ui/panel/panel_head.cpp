@@ -120,8 +120,10 @@ void draw_settings(const PanelContext& context, ImVec2 below) {
   if (!ImGui::BeginPopup(kSettings)) return;
   draw_look(context);
   draw_scale(context);
-  draw_folder(context);
-  draw_signals(context);
+  if (context.can.files) {
+    draw_folder(context);
+    draw_signals(context);
+  }
   field_label(context, "layout", "", "");
   draw_layout_choice(context);
   field_label(context, "", "", "");
@@ -143,7 +145,7 @@ void draw_panel_head(const PanelContext& context) {
              "Takes back (Ctrl+Z):\n" + undo.undo_text(), undo_change},
       Button{"Redo", "redo", undo.can_redo() && changeable,
              "Does again (Ctrl+Y):\n" + undo.redo_text(), redo_change},
-      Button{"Settings", "settings", true, "Colours, size, recordings", open_settings},
+      Button{"Settings", "settings", true, "Colours, size, layout", open_settings},
       Button{"?", "help", true, "All keys (F1)", toggle_help}};
   draw::strong_text(context.theme, "Haptic Wall", draw::kTitleFontSize);
   ImGui::PushFont(nullptr, draw::kSmallFontSize);

@@ -139,8 +139,10 @@ void draw_scene_section(const PanelContext& context) {
   const bool open = ImGui::BeginCombo("##scene", scene.name.c_str(), ImGuiComboFlags_HeightLargest);
   if (open) {
     draw_builtin_choices(context);
-    draw_recent_choices(context);
-    draw_path_field(context);
+    if (context.can.files) {
+      draw_recent_choices(context);
+      draw_path_field(context);
+    }
     ImGui::EndCombo();
   }
   explain("A scene starts a new session from rest.");

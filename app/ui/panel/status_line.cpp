@@ -92,9 +92,10 @@ StatusText realtime_text(const PanelContext& context) {
             "The loop hangs, or the machine gives it no time: other real-time processes, a step "
             "of a plug-in. A device drops its force 20 ms after the last command."};
   }
-  const draw::Tone tone = context.shows.replay != nullptr ? draw::Tone::kMuted
-                          : status.fifo_priority          ? draw::Tone::kGood
-                                                          : draw::Tone::kWarning;
+  const bool judged = context.shows.replay == nullptr && context.can.timing;
+  const draw::Tone tone = !judged                ? draw::Tone::kMuted
+                          : status.fifo_priority ? draw::Tone::kGood
+                                                 : draw::Tone::kWarning;
   return {tone, status.text, status.advice};
 }
 
@@ -124,27 +125,30 @@ std::string p99_text(const session::Quantiles& quantiles) {
 std::vector<RowControl> loop_values(const PanelContext& context, const session::LiveSession& live) {
   const session::TimingStatistics& timing = context.snapshot.timing;
   const std::uint64_t dropped = live.dropped_plot_samples();
-  return {
-      control_of(
-          context, 1,
-          {"missed", fmt::format("{}", timing.missed_ticks),
-           timing.missed_ticks > 0 ? draw::Tone::kWarning : draw::Tone::kText,
-           fmt::format("Of {} ticks since the start; a missed tick is skipped", timing.ticks),
-           "9999"}),
-      control_of(context, 3,
-                 {"wake-up", p99_text(context.timing.wake_latency), draw::Tone::kText,
-                  "Wake-up latency of the loop: 99th percentile and maximum"}),
-      // The compute time would reveal the algorithm.
-      control_of(context, 4,
-                 {"compute",
-                  context.shows.hides_algorithm ? "hidden" : p99_text(context.timing.compute_time),
-                  draw::Tone::kText, "Compute time of a tick: 99th percentile and maximum"}),
-      control_of(context, 2,
-                 {"plot drops", fmt::format("{}", dropped),
-                  dropped > 0 ? draw::Tone::kWarning : draw::Tone::kText,
-                  "Samples that the window was too slow to take; the recording has its own "
-                  "queue",
-                  "999"})};
+  std::vector<RowControl> values{control_of(
+      context, 1,
+      {"missed", fmt::format("{}", timing.missed_ticks),
+       timing.missed_ticks > 0 ? draw::Tone::kWarning : draw::Tone::kText,
+       fmt::format("Of {} ticks since the start; a missed tick is skipped", timing.ticks),
+       "9999"})};
+  if (context.can.timing) {
+    values.push_back(
+        control_of(context, 3,
+                   {"wake-up", p99_text(context.timing.wake_latency), draw::Tone::kText,
+                    "Wake-up latency of the loop: 99th percentile and maximum"}));
+    // The compute time would reveal the algorithm.
+    values.push_back(control_of(
+        context, 4,
+        {"compute",
+         context.shows.hides_algorithm ? "hidden" : p99_text(context.timing.compute_time),
+         draw::Tone::kText, "Compute time of a tick: 99th percentile and maximum"}));
+  }
+  values.push_back(control_of(
+      context, 2,
+      {"plot drops", fmt::format("{}", dropped),
+       dropped > 0 ? draw::Tone::kWarning : draw::Tone::kText,
+       "Samples that the window was too slow to take; the recording has its own queue", "999"}));
+  return values;
 }
 
 std::string frame_text(const PanelContext& context) {

@@ -184,17 +184,18 @@ void draw_name_or_mark(const PanelContext& context, bool recording) {
 void draw_session_bar(const PanelContext& context, session::LiveSession& live) {
   const RecordingStatus status = live.recording_status();
   const bool recording = status.state == RecordingState::kRecording;
-  std::vector<RowControl> controls{
-      {ems(kToolButtonEms), 0, [&] { draw_pause(context); }},
-      {ems(kToolButtonEms), 5, [&] { draw_step_button(context); }},
-      {ems(kToolButtonEms), 2, [&] { draw_reset(context); }},
-      {ems(kTimeEms), 3, [&] { draw_session_time(context); }},
-      {ems(kRecordButtonEms), 1, [&] { draw_record(context, recording); }},
-      {ems(kNameEms),
-       6,
-       [&] { draw_name_or_mark(context, recording); },
-       {},
-       context.recording.focus_mark}};
+  std::vector<RowControl> controls{{ems(kToolButtonEms), 0, [&] { draw_pause(context); }},
+                                   {ems(kToolButtonEms), 5, [&] { draw_step_button(context); }},
+                                   {ems(kToolButtonEms), 2, [&] { draw_reset(context); }},
+                                   {ems(kTimeEms), 3, [&] { draw_session_time(context); }}};
+  if (context.can.files) {
+    controls.push_back({ems(kRecordButtonEms), 1, [&] { draw_record(context, recording); }});
+    controls.push_back({ems(kNameEms),
+                        6,
+                        [&] { draw_name_or_mark(context, recording); },
+                        {},
+                        context.recording.focus_mark});
+  }
   if (context.sound.available)
     controls.push_back({ems(kSoundEms), 4, [&] { draw_sound_switch(context); }});
   if (!context.sound.status.card.empty())

@@ -95,7 +95,9 @@ void draw_step(const PanelContext& context) {
                        seen ? "· seen" : "· not seen yet");
   }
   draw_step_buttons(context);
-  draw::wrapped_text(context.theme.colour(draw::Tone::kText), now.text);
+  const bool elsewhere = !context.can.files && !now.text_without_files.empty();
+  draw::wrapped_text(context.theme.colour(draw::Tone::kText),
+                     elsewhere ? now.text_without_files : now.text);
 }
 
 }  // namespace

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "app/ui/state/capabilities.h"
+
 namespace hapticwall::ui {
 
 struct PanelContext;
@@ -32,6 +34,7 @@ struct KeyBinding {
   ImWchar character = 0;                 // alternative character, on any keyboard layout
   bool repeats = false;                  // while it is held down
   bool always = false;                   // true: active also while text is typed, with any modifier
+  Needs needs = nullptr;
 };
 
 }  // namespace hapticwall::ui

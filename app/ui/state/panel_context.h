@@ -5,6 +5,7 @@
 #include "app/draw/verdict/tail.h"
 #include "app/session/live_session.h"
 #include "app/session/replay_session.h"
+#include "app/ui/state/capabilities.h"
 #include "app/ui/state/messages.h"
 #include "app/ui/wall/wall_measures.h"
 #include "core/scene.h"
@@ -49,6 +50,7 @@ struct PanelContext {
   const session::Snapshot& snapshot;
   const draw::Theme& theme;
   Visibility shows;
+  const Capabilities& can;
   Toasts& toasts;
   FrameInput& input;
   TextEdit& edit;

@@ -63,13 +63,14 @@ void note_timing(TimingState& state, const session::LiveSession* live,
 
 void note_answer(LoopAnswer& answer, const session::Snapshot* snapshot, double period_s,
                  double now_s) {
-  constexpr double kPeriods = 3.0;
+  constexpr double kSilentPeriods = 3.0;
   if (snapshot == nullptr || snapshot->cycles != answer.cycles) {
     answer = {snapshot == nullptr ? 0 : snapshot->cycles, now_s, 0.0};
     return;
   }
   const double silent_s = now_s - answer.newest_s;
-  answer.silent_s = silent_s > std::max(kMaxLoopSilenceS, kPeriods * period_s) ? silent_s : 0.0;
+  answer.silent_s =
+      silent_s > std::max(kMaxLoopSilenceS, kSilentPeriods * period_s) ? silent_s : 0.0;
 }
 
 std::string silence_text(const LoopAnswer& answer) {

@@ -92,7 +92,10 @@ constexpr std::array kTourSteps{
              "open the stability map: More, page Map. docs/adding-an-algorithm.md adds a control "
              "law of your own.",
              {},
-             kWallAndMore}};
+             kWallAndMore,
+             "Drag in the picture of the wall to lead the hand yourself, or open More: every "
+             "parameter, and all algorithms at once. The program for the desktop records, draws "
+             "stability maps and drives devices."}};
 static_assert(kTourSteps.size() <= kMaxTourSteps);
 
 // The key of the present move, while it has to be pressed.

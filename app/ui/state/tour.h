@@ -31,10 +31,11 @@ struct TourMove {
 enum class TourPlace : std::uint8_t { kVerdict, kLamp, kWall, kMore };
 
 struct TourStep {
-  std::string_view lesson;           // title of the lesson
-  std::string_view text;             // keys, and the expected verdict; also in README.md
-  std::span<const TourMove> moves;   // in order; none: the end of the tour
-  std::span<const TourPlace> looks;  // the places that the text speaks of
+  std::string_view lesson;                // title of the lesson
+  std::string_view text;                  // keys, and the expected verdict; also in README.md
+  std::span<const TourMove> moves;        // in order; none: the end of the tour
+  std::span<const TourPlace> looks;       // the places that the text speaks of
+  std::string_view text_without_files{};  // in the place of `text` in a browser; empty: the same
 };
 // The lessons, and the end.
 [[nodiscard]] std::span<const TourStep> tour_steps();

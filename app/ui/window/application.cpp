@@ -67,7 +67,8 @@ Application::Application(Sessions sessions, std::unique_ptr<WallRenderer> render
   state_.window.settings_path = options.settings_path;
   state_.appearance.forced_scale = options.forced_scale;
   settings_.load(state_);
-  state_.sound.available = sessions_.open_card || sound::may_have_card();
+  state_.can = options.can;
+  state_.sound.available = state_.can.sound && (sessions_.open_card || sound::may_have_card());
   RecordingWishes& recording = state_.recording;
   recording.records_signals = options.records_signals || recording.chosen_signals;
   recording.folder =
@@ -263,6 +264,7 @@ bool Application::moving() const {
 }
 
 void Application::drop(std::span<const std::string> paths) {
+  if (!state_.can.files) return;
   // There is one session: of several files the last one is opened.
   for (const std::string& path : paths) open_file(state_.scene, state_.toasts, path);
 }

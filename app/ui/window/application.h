@@ -52,6 +52,7 @@ class Application {
     std::function<double()> now_s;      // clock of pointer events; empty: that of Dear ImGui
     std::shared_ptr<session::Experiment> experiment = nullptr;  // begins at once; null: none
     bool records_signals = false;  // true: records signals even if the settings do not
+    Capabilities can{};
   };
 
   // Needs current contexts of OpenGL 3.3, ImGui and ImPlot for its whole life. Starts a session, on

@@ -42,6 +42,15 @@ DockLayout blind_layout(const DockLayout& chosen) {
   return layout;
 }
 
+// A page that the machine cannot fill has no place in any layout.
+std::vector<std::string> lacking_pages(const Capabilities& can) {
+  std::vector<std::string> names;
+  for (const Page& page : pages()) {
+    if (!has(can, page.needs)) names.emplace_back(page.window.name);
+  }
+  return names;
+}
+
 DockLayout layout_of(DockSituation situation, const DockLayout& chosen) {
   if (situation == DockSituation::kBlindTest) return blind_layout(chosen);
   return situation == DockSituation::kChosen ? chosen : *parse_layout(kFirstMinute);
@@ -63,7 +72,7 @@ void arrange(const PanelContext& context, ImGuiID id, ImVec2 size) {
   dock.settling = kSettlingFrames;
   if (rebuild) {
     dock.situation = situation;
-    dock.shown = layout_of(situation, *dock.chosen);
+    dock.shown = without(layout_of(situation, *dock.chosen), lacking_pages(context.can));
     build_dock(id, dock.shown, size);
   } else {
     fit_dock(id, dock.shown, size);
@@ -145,7 +154,9 @@ void note_moved(DockState& dock, ImGuiID id) {
 void draw_dock(const PageParts& parts, ImVec2 size) {
   DockState& dock = parts.context.dock;
   if (dock.windows.empty()) {
-    for (const Page& page : pages()) dock.windows.push_back(page.window);
+    for (const Page& page : pages()) {
+      if (has(parts.context.can, page.needs)) dock.windows.push_back(page.window);
+    }
   }
   const ImGuiID id = ImGui::GetID("dock");
   arrange(parts.context, id, size);

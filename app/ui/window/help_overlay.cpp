@@ -21,6 +21,7 @@ constexpr float kKeyColumnShare = 0.36F;
 struct Gesture {
   const char* where;
   const char* what;
+  Needs needs = nullptr;
 };
 constexpr std::array kGestures{
     Gesture{"drag in the view", "leads the hand; it stays where you leave it"},
@@ -31,7 +32,7 @@ constexpr std::array kGestures{
     Gesture{"Ctrl+click on a slider", "types its value"},
     Gesture{"35k or 0,5 in a field", "35000 or 0.5"},
     Gesture{"↑ ↓ or Alt, then arrows", "reach the controls; Enter uses them"},
-    Gesture{"drag a file to the window", "opens a scene or a recording"},
+    Gesture{"drag a file to the window", "opens a scene or a recording", &Capabilities::files},
     Gesture{"rest on anything", "says what it is"}};
 
 void heading(const PanelContext& context, const char* title) {
@@ -52,6 +53,7 @@ void row(const PanelContext& context, const char* left, const char* right) {
 void draw_keys(const PanelContext& context) {
   std::optional<KeyGroup> group;
   for (const KeyBinding& binding : bindings_in_force(context.shows)) {
+    if (!has(context.can, binding.needs)) continue;
     if (binding.group == KeyGroup::kPlots && group != KeyGroup::kPlots) ImGui::TableNextColumn();
     if (binding.group != group) heading(context, group_title(binding.group));
     group = binding.group;
@@ -61,7 +63,9 @@ void draw_keys(const PanelContext& context) {
 
 void draw_gestures(const PanelContext& context) {
   heading(context, "Pointer");
-  for (const Gesture& gesture : kGestures) row(context, gesture.where, gesture.what);
+  for (const Gesture& gesture : kGestures) {
+    if (has(context.can, gesture.needs)) row(context, gesture.where, gesture.what);
+  }
 }
 
 void draw_content(const PanelContext& context) {
@@ -83,6 +87,7 @@ void draw_content(const PanelContext& context) {
     draw_gestures(context);
     ImGui::EndTable();
   }
+  if (!context.can.devices) return;
   ImGui::Spacing();
   muted_text(context,
              "Space takes the force of a real device away, at any time. While a text is typed, "

@@ -36,9 +36,16 @@ KeyBinding repeating(KeyBinding binding) {
   return binding;
 }
 
+std::vector<KeyBinding> needing(Needs needs, std::vector<KeyBinding> bindings) {
+  for (KeyBinding& binding : bindings) binding.needs = needs;
+  return bindings;
+}
+
 std::vector<KeyBinding> force_keys() {
-  return {{KeyGroup::kForce, "force off, at once", {ImGuiKey_Space}, disarm, {}, 0, false, true},
-          {KeyGroup::kForce, "arm a real device: the force rises", {ImGuiKey_A}, ask_to_arm}};
+  return needing(
+      &Capabilities::devices,
+      {{KeyGroup::kForce, "force off, at once", {ImGuiKey_Space}, disarm, {}, 0, false, true},
+       {KeyGroup::kForce, "arm a real device: the force rises", {ImGuiKey_A}, ask_to_arm}});
 }
 
 std::vector<KeyBinding> session_keys() {
@@ -50,21 +57,28 @@ std::vector<KeyBinding> session_keys() {
           {KeyGroup::kSession, "slower: slow motion", {ImGuiKey_LeftBracket}, slower, {}, U'['},
           {KeyGroup::kSession, "faster", {ImGuiKey_RightBracket}, faster, {}, U']'},
           {KeyGroup::kSession, "reset: back to tick 0, at rest", {ImGuiKey_R}, ask_to_reset},
-          {KeyGroup::kSession, "withdraw the hand from the wall", {ImGuiKey_H}, withdraw_hand},
-          {KeyGroup::kSession, "record, or stop recording", {ctrl(ImGuiKey_R)}, toggle_recording},
-          {KeyGroup::kSession,
-           "mark this moment of the recording, then name it",
-           {ImGuiKey_M},
-           mark_and_name}};
+          {KeyGroup::kSession, "withdraw the hand from the wall", {ImGuiKey_H}, withdraw_hand}};
+}
+
+std::vector<KeyBinding> recording_keys() {
+  return needing(
+      &Capabilities::files,
+      {{KeyGroup::kSession, "record, or stop recording", {ctrl(ImGuiKey_R)}, toggle_recording},
+       {KeyGroup::kSession,
+        "mark this moment of the recording, then name it",
+        {ImGuiKey_M},
+        mark_and_name}});
 }
 
 // Keys in addition to the session keys, which also apply.
 std::vector<KeyBinding> replay_keys() {
-  return {repeating(
-              {KeyGroup::kReplay, "one tick back, while paused", {ImGuiKey_LeftArrow}, step_back}),
-          {KeyGroup::kReplay, "begin anew at the end, or not", {ImGuiKey_L}, toggle_loop},
-          {KeyGroup::kReplay, "to the mark before", {ImGuiKey_PageUp}, previous_mark},
-          {KeyGroup::kReplay, "to the next mark", {ImGuiKey_PageDown}, next_mark}};
+  return needing(
+      &Capabilities::files,
+      {repeating(
+           {KeyGroup::kReplay, "one tick back, while paused", {ImGuiKey_LeftArrow}, step_back}),
+       {KeyGroup::kReplay, "begin anew at the end, or not", {ImGuiKey_L}, toggle_loop},
+       {KeyGroup::kReplay, "to the mark before", {ImGuiKey_PageUp}, previous_mark},
+       {KeyGroup::kReplay, "to the next mark", {ImGuiKey_PageDown}, next_mark}});
 }
 
 std::vector<KeyBinding> algorithm_keys() {
@@ -105,26 +119,32 @@ std::vector<KeyBinding> window_keys() {
           {KeyGroup::kWindow, "dark or light", {ImGuiKey_F2}, toggle_look},
           {KeyGroup::kWindow, "next layout of the windows", {ImGuiKey_F3}, next_layout},
           {KeyGroup::kWindow, "state of the loop", {ImGuiKey_F4}, toggle_status},
-          {KeyGroup::kWindow, "present to a room, or not", {ImGuiKey_F5}, toggle_presentation},
-          repeating({KeyGroup::kWindow,
-                     "everything larger",
-                     {ctrl(ImGuiKey_Equal)},
-                     larger,
-                     {ctrl(ImGuiKey_KeypadAdd), ctrl(ImGuiMod_Shift | ImGuiKey_Equal)}}),
-          repeating({KeyGroup::kWindow,
-                     "everything smaller",
-                     {ctrl(ImGuiKey_Minus)},
-                     smaller,
-                     {ctrl(ImGuiKey_KeypadSubtract)}}),
-          {KeyGroup::kWindow,
-           "scale of the screen",
-           {ctrl(ImGuiKey_0)},
-           as_the_screen,
-           {ctrl(ImGuiKey_Keypad0)}},
           {KeyGroup::kWindow,
            "close a list, help, presentation, or the newest message",
            {ImGuiKey_Escape},
            put_away}};
+}
+
+// A browser takes these itself.
+std::vector<KeyBinding> desktop_keys() {
+  return needing(
+      &Capabilities::all_keys,
+      {{KeyGroup::kWindow, "present to a room, or not", {ImGuiKey_F5}, toggle_presentation},
+       repeating({KeyGroup::kWindow,
+                  "everything larger",
+                  {ctrl(ImGuiKey_Equal)},
+                  larger,
+                  {ctrl(ImGuiKey_KeypadAdd), ctrl(ImGuiMod_Shift | ImGuiKey_Equal)}}),
+       repeating({KeyGroup::kWindow,
+                  "everything smaller",
+                  {ctrl(ImGuiKey_Minus)},
+                  smaller,
+                  {ctrl(ImGuiKey_KeypadSubtract)}}),
+       {KeyGroup::kWindow,
+        "scale of the screen",
+        {ctrl(ImGuiKey_0)},
+        as_the_screen,
+        {ctrl(ImGuiKey_Keypad0)}}});
 }
 
 // The right arrow is used for the second wall.
@@ -222,14 +242,15 @@ std::string chord_text(ImGuiKeyChord chord) {
 
 const std::vector<KeyBinding>& key_bindings() {
   static const std::vector<KeyBinding> kBindings =
-      joined({force_keys(), session_keys(), replay_keys(), algorithm_keys(), parameter_keys(),
-              plot_keys(), window_keys()});
+      joined({force_keys(), session_keys(), recording_keys(), replay_keys(), algorithm_keys(),
+              parameter_keys(), plot_keys(), window_keys(), desktop_keys()});
   return kBindings;
 }
 
 const std::vector<KeyBinding>& bindings_in_force(const Visibility& shows) {
   static const std::vector<KeyBinding> kBlindBindings =
-      joined({force_keys(), blind_session_keys(), blind_test_keys(), window_keys()});
+      joined({force_keys(), blind_session_keys(), recording_keys(), blind_test_keys(),
+              window_keys(), desktop_keys()});
   return shows.hides_algorithm ? kBlindBindings : key_bindings();
 }
 
@@ -237,7 +258,9 @@ void handle_keys(const PanelContext& context, std::span<const KeyBinding> bindin
   bool typing = ImGui::GetIO().WantTextInput || ImGui::GetFrameCount() <= context.edit.typing_until;
   if (!typing) keep_from_navigation();
   for (const KeyBinding& binding : bindings) {
-    if ((typing && !binding.always) || !pressed(context.input, binding)) continue;
+    if (!has(context.can, binding.needs) || (typing && !binding.always) ||
+        !pressed(context.input, binding))
+      continue;
     binding.act(context);
     typing = typing || ImGui::GetFrameCount() <= context.edit.typing_until;
   }

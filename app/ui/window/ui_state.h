@@ -30,6 +30,7 @@
 namespace hapticwall::ui {
 
 struct UiState {
+  Capabilities can;
   Toasts toasts;
   FrameInput input;
   TextEdit edit;
@@ -63,6 +64,7 @@ struct UiState {
           .snapshot = snapshot,
           .theme = theme,
           .shows = shows,
+          .can = state.can,
           .toasts = state.toasts,
           .input = state.input,
           .edit = state.edit,

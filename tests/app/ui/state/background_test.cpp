@@ -2,11 +2,14 @@
 #include "app/ui/computed/background.h"
 
 #include <gtest/gtest.h>
+#include <pthread.h>
 
 #include <atomic>
+#include <cstddef>
 #include <future>
 #include <new>
 #include <string>
+#include <thread>
 
 #include "tests/app/session/support.h"
 
@@ -69,6 +72,29 @@ TEST(Background, ANewPieceTakesThePlaceOfTheOldOne) {
   std::optional<Result<std::string>> outcome;
   ASSERT_TRUE(eventually([&] { return (outcome = work.take()).has_value(); }));
   EXPECT_EQ(**outcome, "new");
+}
+
+// As in a browser: no stack fits into the memory, so that no thread can begin.
+TEST(Background, WithoutAThreadItIsDoneAtOnce) {
+  pthread_attr_t usual;
+  ASSERT_EQ(pthread_getattr_default_np(&usual), 0);
+  pthread_attr_t huge = usual;
+  ASSERT_EQ(pthread_attr_setstacksize(&huge, std::size_t{1} << 47U), 0);
+  ASSERT_EQ(pthread_setattr_default_np(&huge), 0);
+  const std::thread::id here = std::this_thread::get_id();
+  std::thread::id there;
+  Work work;
+  work.start([&](const Work::Progress& progress) {
+    there = std::this_thread::get_id();
+    EXPECT_TRUE(progress(0.5));
+    return Result<std::string>("done");
+  });
+  pthread_setattr_default_np(&usual);
+  EXPECT_EQ(there, here);
+  const auto outcome = work.take();
+  ASSERT_TRUE(outcome);
+  EXPECT_EQ(**outcome, "done");
+  EXPECT_FALSE(work.running());
 }
 
 // The owner may be destroyed at any time: it cancels the thread and waits for it.
