@@ -30,8 +30,10 @@ Result<GLuint> compile(GLenum kind, std::string_view file_name) {
   if (!text)
     return Error{ErrorKind::kFile, fmt::format("shader '{}' is not in the program", file_name)};
   const GLuint shader = glCreateShader(kind);
-  const GLchar* bytes = text->data();
-  const auto length = static_cast<GLint>(text->size());
+  const std::string whole =
+      fmt::format("{}\nprecision highp float;{}", glsl_version(), text->substr(text->find('\n')));
+  const GLchar* bytes = whole.data();
+  const auto length = static_cast<GLint>(whole.size());
   glShaderSource(shader, 1, &bytes, &length);
   glCompileShader(shader);
   GLint compiled = GL_FALSE;
@@ -79,6 +81,11 @@ GlName<release_buffer> new_buffer(GLenum target, const void* data, std::size_t b
 }
 
 }  // namespace
+
+const char* glsl_version() {
+  const std::string_view version = reinterpret_cast<const char*>(glGetString(GL_VERSION));
+  return version.starts_with("OpenGL ES") ? "#version 300 es" : "#version 330 core";
+}
 
 void release_program(GLuint name) { glDeleteProgram(name); }
 void release_buffer(GLuint name) { glDeleteBuffers(1, &name); }

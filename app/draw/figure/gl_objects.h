@@ -1,4 +1,5 @@
-// Small owners of OpenGL objects. All need a current OpenGL 3.3 context, for their whole life.
+// Small owners of OpenGL objects. All need a current context of OpenGL 3.3 or OpenGL ES 3, for
+// their whole life.
 #pragma once
 
 #include <epoxy/gl.h>
@@ -42,6 +43,9 @@ void release_vertex_array(GLuint name);
 void release_texture(GLuint name);
 void release_renderbuffer(GLuint name);
 void release_framebuffer(GLuint name);
+
+// First line of shaders in the present context, which is one of OpenGL ES 3 in a browser.
+[[nodiscard]] const char* glsl_version();
 
 class GlProgram {
  public:

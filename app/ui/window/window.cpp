@@ -1,18 +1,14 @@
 #include "app/ui/window/window.h"
 
-#include <epoxy/gl.h>
-// GLFW comes after OpenGL's own header.
+#define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <imgui.h>
 #include <imgui_impl_glfw.h>
-#include <imgui_impl_opengl3.h>
 #include <imgui_internal.h>
-#include <implot.h>
 
 #include <algorithm>
 #include <memory>
 #include <string>
-#include <vector>
 
 #include "app/draw/plot/theme.h"
 #include "app/session/loop/stop_signals.h"
@@ -22,6 +18,7 @@
 #include "app/ui/window/application.h"
 #include "app/ui/window/display_end.h"
 #include "app/ui/window/settings_file.h"
+#include "app/ui/window/surface.h"
 
 namespace hapticwall::ui {
 namespace {
@@ -112,108 +109,6 @@ void keep_window(GLFWwindow* window, WindowState& kept) {
   const float scale = std::max(ImGui_ImplGlfw_GetContentScaleForWindow(window), 1.0F);
   kept.width = static_cast<int>(static_cast<float>(width) / scale);
   kept.height = static_cast<int>(static_cast<float>(height) / scale);
-}
-
-// GLFW calls it while the application lives.
-void take_dropped_files(GLFWwindow* window, int count, const char** paths) {
-  auto* application = static_cast<Application*>(glfwGetWindowUserPointer(window));
-  if (application == nullptr) return;
-  const std::vector<std::string> files(paths, paths + count);
-  application->drop(files);
-}
-
-void take_pointer(GLFWwindow* window, double x, double y) {
-  ImGui_ImplGlfw_CursorPosCallback(window, x, y);
-  auto* application = static_cast<Application*>(glfwGetWindowUserPointer(window));
-  if (application == nullptr) return;
-  application->point({glfwGetTime(), ImVec2(static_cast<float>(x), static_cast<float>(y))});
-}
-
-ImGuiKeyChord chord_of(int mods) {
-  return ((mods & GLFW_MOD_CONTROL) != 0 ? ImGuiMod_Ctrl : 0) |
-         ((mods & GLFW_MOD_SHIFT) != 0 ? ImGuiMod_Shift : 0) |
-         ((mods & GLFW_MOD_ALT) != 0 ? ImGuiMod_Alt : 0) |
-         ((mods & GLFW_MOD_SUPER) != 0 ? ImGuiMod_Super : 0);
-}
-
-// Dear ImGui asks for the state of the modifier keys only later, when Ctrl may be released again.
-void take_key(GLFWwindow* window, int key, int scancode, int action, int mods) {
-  ImGui_ImplGlfw_KeyCallback(window, key, scancode, action, mods);
-  const auto& queue = ImGui::GetCurrentContext()->InputEventsQueue;
-  auto* application = static_cast<Application*>(glfwGetWindowUserPointer(window));
-  if (application == nullptr || action != GLFW_PRESS || queue.empty()) return;
-  application->press({queue.back().EventId, chord_of(mods)});
-}
-
-// The window was covered, and its picture is lost.
-void paint_again(GLFWwindow* window) {
-  auto* application = static_cast<Application*>(glfwGetWindowUserPointer(window));
-  if (application != nullptr) application->forget_painted();
-}
-
-// Passes dropped files, keys with their modifiers, and the pointer with its times, to the
-// application.
-class InputTarget {
- public:
-  InputTarget(GLFWwindow* window, Application& application) : window_(window) {
-    glfwSetWindowUserPointer(window_, &application);
-    glfwSetDropCallback(window_, take_dropped_files);
-    glfwSetCursorPosCallback(window_, take_pointer);
-    glfwSetKeyCallback(window_, take_key);
-    glfwSetWindowRefreshCallback(window_, paint_again);
-  }
-  InputTarget(const InputTarget&) = delete;
-  InputTarget& operator=(const InputTarget&) = delete;
-  ~InputTarget() {
-    glfwSetDropCallback(window_, nullptr);
-    glfwSetWindowRefreshCallback(window_, nullptr);
-    glfwSetCursorPosCallback(window_, ImGui_ImplGlfw_CursorPosCallback);
-    glfwSetKeyCallback(window_, ImGui_ImplGlfw_KeyCallback);
-    glfwSetWindowUserPointer(window_, nullptr);
-  }
-
- private:
-  GLFWwindow* window_;
-};
-
-// ImGui and ImPlot with their backends for the window.
-class Gui {
- public:
-  explicit Gui(GLFWwindow* window) {
-    ImGui::CreateContext();
-    ImPlot::CreateContext();
-    ImGui::GetIO().IniFilename = nullptr;
-    ImGui_ImplGlfw_InitForOpenGL(window, true);
-    ImGui_ImplOpenGL3_Init("#version 330 core");
-  }
-  Gui(const Gui&) = delete;
-  Gui& operator=(const Gui&) = delete;
-  ~Gui() {
-    ImGui_ImplOpenGL3_Shutdown();
-    ImGui_ImplGlfw_Shutdown();
-    ImPlot::DestroyContext();
-    ImGui::DestroyContext();
-  }
-};
-
-void draw_frame(Application& application) {
-  ImGui_ImplOpenGL3_NewFrame();
-  ImGui_ImplGlfw_NewFrame();
-  ImGui::NewFrame();
-  application.frame();
-  ImGui::Render();
-}
-
-void paint_frame(GLFWwindow* window) {
-  int width = 0;
-  int height = 0;
-  glfwGetFramebufferSize(window, &width, &height);
-  glViewport(0, 0, width, height);
-  const ImVec4 background = ImGui::GetStyle().Colors[ImGuiCol_WindowBg];
-  glClearColor(background.x, background.y, background.z, 1.0F);
-  glClear(GL_COLOR_BUFFER_BIT);
-  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
-  glfwSwapBuffers(window);
 }
 
 bool is_seen(GLFWwindow* window) {
