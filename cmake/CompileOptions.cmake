@@ -5,22 +5,26 @@ set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
 
-include(CheckPIESupported)
-check_pie_supported()
-set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+if(NOT EMSCRIPTEN)  # WebAssembly has no addresses of code
+  include(CheckPIESupported)
+  check_pie_supported()
+  set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+endif()
 
 add_library(hapticwall_common_options INTERFACE)
 # Results are the same on every machine: no FMA contraction, no -ffast-math, no -march=native.
-target_compile_options(
-  hapticwall_common_options INTERFACE -ffp-contract=off -fstack-protector-strong
-                                      -fstack-clash-protection)
-include(CheckCXXCompilerFlag)
-check_cxx_compiler_flag(-fcf-protection HAPTICWALL_HAS_CF_PROTECTION)  # x86
-if(HAPTICWALL_HAS_CF_PROTECTION)
-  target_compile_options(hapticwall_common_options INTERFACE -fcf-protection)
+target_compile_options(hapticwall_common_options INTERFACE -ffp-contract=off)
+if(NOT EMSCRIPTEN)  # WebAssembly keeps its stack and its code apart
+  target_compile_options(hapticwall_common_options INTERFACE -fstack-protector-strong
+                                                             -fstack-clash-protection)
+  include(CheckCXXCompilerFlag)
+  check_cxx_compiler_flag(-fcf-protection HAPTICWALL_HAS_CF_PROTECTION)  # x86
+  if(HAPTICWALL_HAS_CF_PROTECTION)
+    target_compile_options(hapticwall_common_options INTERFACE -fcf-protection)
+  endif()
+  # Links only libraries that are used; some distributions make that the default.
+  target_link_options(hapticwall_common_options INTERFACE -Wl,-z,relro,-z,now -Wl,--as-needed)
 endif()
-# Links only libraries that are used; some distributions make that the default.
-target_link_options(hapticwall_common_options INTERFACE -Wl,-z,relro,-z,now -Wl,--as-needed)
 if(HAPTICWALL_SANITIZE)
   # Third-party code is checked for memory and threads, not for arithmetic.
   string(REPLACE "," ";" sanitizers "${HAPTICWALL_SANITIZE}")

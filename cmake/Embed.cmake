@@ -1,5 +1,12 @@
 # The files that the binary carries, so that it runs from any folder.
 
+if(EMSCRIPTEN)
+  set(embedded_section ".section .rodata.embedded,\"\",@")
+  set(embedded_end "")
+else()
+  set(embedded_section ".section .rodata")
+  set(embedded_end ".section .note.GNU-stack,\"\",@progbits")
+endif()
 set(embedded_folder ${CMAKE_BINARY_DIR}/generated/embedded)
 file(CONFIGURE OUTPUT ${embedded_folder}/embedded_file.h @ONLY
      CONTENT [[// Generated: a file that the binary carries.
@@ -30,15 +37,18 @@ function(hapticwall_embed target group)
   foreach(file ${ARGN})
     get_filename_component(name ${file} NAME)
     set(symbol hapticwall_embedded_${group}_${index})
-    string(APPEND assembly ".global ${symbol}\n.global ${symbol}_end\n${symbol}:\n"
-                           ".incbin \"${file}\"\n${symbol}_end:\n.byte 0\n")
+    # WebAssembly wants type and size of each symbol.
+    string(APPEND assembly ".global ${symbol}\n.global ${symbol}_end\n"
+                           ".type ${symbol},@object\n.type ${symbol}_end,@object\n${symbol}:\n"
+                           ".incbin \"${file}\"\n.size ${symbol}, .-${symbol}\n"
+                           "${symbol}_end:\n.byte 0\n.size ${symbol}_end, 1\n")
     string(APPEND declarations "extern const char ${symbol}[];\nextern const char ${symbol}_end[];\n")
     string(APPEND entries "      {\"${name}\", {${symbol}, ${symbol}_end}},\n")
     math(EXPR index "${index} + 1")
   endforeach()
 
   file(CONFIGURE OUTPUT ${folder}/embedded_${group}.S @ONLY
-       CONTENT ".section .rodata\n@assembly@.section .note.GNU-stack,\"\",@progbits\n")
+       CONTENT "@embedded_section@\n@assembly@@embedded_end@\n")
   file(CONFIGURE OUTPUT ${folder}/embedded_${group}.h @ONLY
        CONTENT [[// Generated: the files of the group "@group@", for the life of the program.
 #pragma once

@@ -7,7 +7,7 @@ function(hapticwall_find_fonts out)
       HAPTICWALL_FONT_${name} ${name}
       PATHS /usr/share/fonts /usr/local/share/fonts
       PATH_SUFFIXES opentype/inter truetype/inter opentype/jetbrains-mono truetype/jetbrains-mono
-      REQUIRED NO_DEFAULT_PATH)
+      REQUIRED NO_DEFAULT_PATH NO_CMAKE_FIND_ROOT_PATH)
     mark_as_advanced(HAPTICWALL_FONT_${name})
     list(APPEND fonts ${HAPTICWALL_FONT_${name}})
   endforeach()

@@ -3,17 +3,17 @@
 #   core, app/file <- app/compare, app/draw, app/table; app/compare, app/draw, app/table <- app/ui; app/compare, app/draw <- app/command;
 #   app/table, the data of app/draw <- app/study <- app/ui, app/command;
 #   core <- app/sound/signal <- app/command; app/sound/signal, app/session, device <- app/sound/live <- app/ui;
-#   core, app/file, app/table <- app/command/report <- app/command; core, app/file, app/session, app/table, app/study <- app/python.
+#   core, app/file, app/table <- app/command/report <- app/command; core, app/file, app/session, app/table, app/study <- app/python; app/ui and all below it <- app/web, in the place of app/command.
 # Within a layer the rooms have arrows, too:
 #   device <- device/link <- device/port; app/session: loop <- the files beside it;
 #   app/command: the files beside the rooms <- run, study, map, device; run, study <- compare; run <- replay, identify;
 #   app/draw: axis <- plot <- figure, wall, verdict <- film; app/ui: wall, computed <- state <- widget <- panel <- page <- first <- window (a widget knows no wall).
 # `core` is pure: the standard library without clocks, files and threads, Eigen and itself;
 # core/run/workers.cpp alone spreads scenes over the cores.
-# Only app/draw and app/ui know that there is OpenGL. Usage: cmake -DROOT=FOLDER -P check_layers.cmake
+# Only app/draw, app/ui and app/web know that there is OpenGL. Usage: cmake -DROOT=FOLDER -P check_layers.cmake
 cmake_minimum_required(VERSION 3.25)
 
-set(layers core device app/file app/session app/compare app/table app/draw app/study app/sound/signal app/sound/live app/ui app/command/report app/command app/python app
+set(layers core device app/file app/session app/compare app/table app/draw app/study app/sound/signal app/sound/live app/ui app/command/report app/command app/python app/web app
     tests)
 set(may_include_core core)
 set(may_include_device core device)
@@ -29,6 +29,8 @@ set(may_include_app/ui core device app/file app/session app/compare app/table ap
 set(may_include_app/command/report core app/file app/table app/command/report)
 set(may_include_app/command core device app/file app/session app/compare app/table app/draw app/study app/sound/signal app/command/report app/command)
 set(may_include_app/python core app/file app/session app/table app/study app/python)
+set(may_include_app/web ${layers})
+list(REMOVE_ITEM may_include_app/web device app/command/report app/command app/python app tests)
 set(may_include_app ${layers})
 set(may_include_tests ${layers})
 
@@ -65,7 +67,7 @@ list(APPEND may_include_app/command/replay app/command/run)
 list(APPEND may_include_app/command/identify app/command/run)
 
 set(graphics "^(imgui|implot|backends/imgui_|GLFW/|epoxy/|GL/|GLES|EGL/|KHR/|glm/)")
-set(may_draw app/draw app/ui)
+set(may_draw app/draw app/ui app/web)
 set(impure "^(chrono|condition_variable|ctime|filesystem|fstream|future|iostream|mutex|semaphore|shared_mutex|stop_token|syncstream|thread)$")
 
 # The first of these folders that holds `path`; empty when there is none.
@@ -89,7 +91,7 @@ function(objection file layer header out)
   string(FIND "${target_room}/" "${layer}/" same_layer)
   if(header MATCHES "^\\.\\.?/")
     set(${out} "is not named from the root of the repository" PARENT_SCOPE)
-  elseif(header MATCHES "${graphics}" AND NOT layer IN_LIST may_draw AND NOT file MATCHES "^tests/(app/draw|app/ui|offscreen|window|window_benchmark)/")
+  elseif(header MATCHES "${graphics}" AND NOT layer IN_LIST may_draw AND NOT file MATCHES "^tests/(app/draw|app/ui|offscreen|web|window|window_benchmark)/")
     set(${out} "draws, and only app/draw and app/ui may" PARENT_SCOPE)
   elseif(target AND NOT target IN_LIST may_include_${layer})
     set(${out} "is of ${target}, which ${layer} must not know" PARENT_SCOPE)
