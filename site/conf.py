@@ -41,6 +41,7 @@ autodoc_preserve_defaults = True
 MENU = {
     "Start": [
         "docs/window",
+        "docs/browser",
         "docs/command-line",
         "docs/film",
         "docs/study",
@@ -105,6 +106,13 @@ def add_menu(app, page, source):
         source[0] += f"\n```{{toctree}}\n:hidden:\n:caption: {caption}\n\n{places}\n```\n"
 
 
+def lead_to_page(app, page, source):
+    """*Try it* opens the page for browsers where the site has it, and its description elsewhere."""
+    if page == "README" and (ROOT / "build/web/page/index.html").is_file():
+        source[0] = source[0].replace("**[Try it in a browser](docs/browser.md)**",
+                                      "<a href=\"try/index.html\"><strong>Try it in a browser</strong></a>")
+
+
 def unlink_folders(app, page):
     """A link to a folder of the sources, which the site lacks, becomes text."""
     here = pathlib.Path(page["source"]).parent
@@ -136,6 +144,7 @@ def setup(app):
     for language in ("csv", "hex"):
         app.add_lexer(language, TextLexer)
     app.connect("source-read", add_menu)
+    app.connect("source-read", lead_to_page)
     app.connect("doctree-read", unlink_folders)
     app.connect("autodoc-process-docstring", mark_code)
     app.connect("build-finished", write_first_page)

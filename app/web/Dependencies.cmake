@@ -30,7 +30,8 @@ add_library(glfw ALIAS hapticwall_nothing)
 # A size has 32 bits here.
 target_compile_options(hapticwall_common_options INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-fwasm-exceptions
                                                            -Wno-shorten-64-to-32>)
-target_link_options(hapticwall_common_options INTERFACE -fwasm-exceptions)
+target_link_options(hapticwall_common_options INTERFACE -fwasm-exceptions -sSTACK_SIZE=1MB
+                                                        -sALLOW_MEMORY_GROWTH=1)
 
 # What lacking.cpp has in their place, or nothing that a browser shows needs.
 set(HAPTICWALL_LEFT_OUT

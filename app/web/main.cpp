@@ -6,6 +6,7 @@
 #include <imgui_impl_glfw.h>
 #include <imgui_internal.h>
 
+#include <cstdlib>
 #include <memory>
 #include <span>
 #include <string>
@@ -25,6 +26,12 @@ namespace {
 // clang-format off
 EM_JS(int, page_width, (), { return Math.max(1, window.innerWidth); })
 EM_JS(int, page_height, (), { return Math.max(1, window.innerHeight); })
+EM_JS_DEPS(clipboard, "$stringToNewUTF8");
+EM_JS(char*, clipboard_of_page, (), { return stringToNewUTF8(Module.clipboard); })
+EM_JS(void, copy_to_page, (const char* text), {
+  Module.clipboard = UTF8ToString(text);
+  if (navigator.clipboard) navigator.clipboard.writeText(Module.clipboard).catch(() => {});
+})
 EM_JS(void, note_frame_of_page, (double frame_ms), { Module.noteFrame(frame_ms); })
 // clang-format on
 
@@ -35,6 +42,17 @@ Result<std::unique_ptr<session::LiveSession>> start(const Scene& scene,
   session::SessionOptions options;
   options.driver = session::Driver::kTurnedByOwner;
   return session::start_under(borrowed, nullptr, scene, options);
+}
+
+// GLFW's library for browsers has no clipboard.
+void use_clipboard_of_page() {
+  ImGuiPlatformIO& io = ImGui::GetPlatformIO();
+  io.Platform_SetClipboardTextFn = [](ImGuiContext*, const char* text) { copy_to_page(text); };
+  io.Platform_GetClipboardTextFn = [](ImGuiContext*) {
+    static std::unique_ptr<char, decltype(&std::free)> kept(nullptr, &std::free);
+    kept.reset(clipboard_of_page());
+    return const_cast<const char*>(kept.get());
+  };
 }
 
 // Lives as long as the page.
@@ -92,6 +110,7 @@ Failure open_page(const std::string& scene, std::span<const std::string> setting
   glfwMakeContextCurrent(window);
   new ui::Gui(window);  // as long as the page
   ImGui_ImplGlfw_InstallEmscriptenCallbacks(window, "#canvas");
+  use_clipboard_of_page();
   ui::Application::Options options;
   options.now_s = glfwGetTime;
   options.can = kBrowser;
@@ -111,6 +130,12 @@ Failure open_page(const std::string& scene, std::span<const std::string> setting
 ui::Application& application_of_page() { return page->application(); }
 
 }  // namespace hapticwall::web
+
+// A press by a finger waits until what lies under it is known, a frame after it has come there.
+extern "C" EMSCRIPTEN_KEEPALIVE void point_by_finger(bool touches) {
+  ImGui::GetIO().AddMouseSourceEvent(touches ? ImGuiMouseSource_TouchScreen
+                                             : ImGuiMouseSource_Mouse);
+}
 
 // SCENE KEY=VALUE...
 int main(int argc, char** argv) {
