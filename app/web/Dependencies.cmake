@@ -33,7 +33,7 @@ target_compile_options(hapticwall_common_options INTERFACE $<$<COMPILE_LANGUAGE:
 target_link_options(hapticwall_common_options INTERFACE -fwasm-exceptions -sSTACK_SIZE=1MB
                                                         -sALLOW_MEMORY_GROWTH=1)
 
-# What lacking.cpp has in their place, or nothing that a browser shows needs.
+# What a browser lacks; lacking_*.cpp has in its place what is needed for all that.
 set(HAPTICWALL_LEFT_OUT
     /run/workers.cpp /file/png.cpp /plugin/plugin_library.cpp
     /draw/film/ /figure/page.cpp /figure/page_painter.cpp /figure/figure_file.cpp /figure/shapes.cpp

@@ -3,169 +3,200 @@
 BUILD has page/ and page_tested/ (hapticwall_page, hapticwall_page_tested). Pictures go to BUILD/pictures.
 """
 
+import functools
+import http.server
 import pathlib
-import shutil
 import statistics
 import sys
+import threading
 import time
 
-from browser import Browser, served
+from selenium import webdriver
+from selenium.webdriver.chrome.service import Service
+from selenium.webdriver.support.ui import WebDriverWait
 
-build = pathlib.Path(sys.argv[1])
-pictures = build / "pictures"
-press_script = (pathlib.Path(__file__).parent / "press.js").read_text()
+BUILD = pathlib.Path(sys.argv[1])
+PICTURES = BUILD / "pictures"
+PRESS = (pathlib.Path(__file__).parent / "press.js").read_text()
+OPTIONS = ("--headless=new --no-sandbox --use-angle=swiftshader --enable-unsafe-swiftshader --mute-audio "
+           "--disable-background-networking --disable-component-update --disable-sync --no-first-run").split()
 failures = []
 
 
-def check(condition, what):
+class Server(http.server.SimpleHTTPRequestHandler):
+    def log_message(self, *_):
+        pass
+
+
+class Page:
+    """A page of BUILD in one browser."""
+
+    def __init__(self):
+        options = webdriver.ChromeOptions()
+        for each in OPTIONS:
+            options.add_argument(each)
+        options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
+        self.driver = webdriver.Chrome(service=Service("/usr/bin/chromedriver"), options=options)
+        self.driver.set_script_timeout(600)
+        server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), functools.partial(Server, directory=BUILD))
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        self.url = f"http://127.0.0.1:{server.server_port}/"
+
+    def open(self, path="page_tested/index.html", frames=30, width=1280, height=800, scale=1, touch=False):
+        self.driver.get("about:blank")
+        self.driver.get_log("browser")
+        self.size(width, height, scale, touch)
+        self.driver.get(self.url + path)
+        if frames:
+            self.wait(f"Module.frames.length >= {frames}")
+            self.driver.execute_script("const all = document.createElement('script'); all.textContent = arguments[0];"
+                                       "document.body.append(all);", PRESS)
+
+    def size(self, width, height, scale, touch=False):
+        self.call("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=scale, mobile=touch)
+        self.call("Emulation.setTouchEmulationEnabled", enabled=touch)
+
+    def call(self, method, **parameters):
+        return self.driver.execute_cdp_cmd(method, parameters)
+
+    def ask(self, script):
+        return self.driver.execute_script(f"return {script}")
+
+    def do(self, promise):
+        """The value of a promise of press.js."""
+        return self.driver.execute_async_script(f"({promise}).then(arguments[0])")
+
+    def wait(self, condition):
+        WebDriverWait(self.driver, 60).until(lambda _: self.ask(condition), condition)
+
+    def key(self, code, number):
+        self.do(f"key('{code}', {number})")
+
+    def click(self, label):
+        self.do(f"see().then(() => (c => click(c.x, c.y))(Module.controls.find(c => c.label.includes('{label}'))))")
+
+    def picture(self, name):
+        self.driver.save_screenshot(str(PICTURES / f"{name}.png"))
+
+    def expect_silence(self):
+        loud = [each["message"] for each in self.driver.get_log("browser") if each["level"] != "INFO"][:3]
+        expect(not loud, f"the log of the page is empty: {loud}")
+
+
+def expect(condition, what):
     if not condition:
         failures.append(what)
         print(f"FAILED: {what}", flush=True)
 
 
-def open_page(browser, url, frames=30, width=1280, height=800, scale=1, touch=False):
-    browser.log.clear()
-    browser.call("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=scale, mobile=touch)
-    browser.call("Emulation.setTouchEmulationEnabled", enabled=touch)
-    browser.call("Page.navigate", url="about:blank")
-    browser.call("Page.navigate", url=url)
-    if frames:
-        browser.wait_for(f"window.Module && Module.frames && Module.frames.length >= {frames}", f"{frames} frames of {url}")
-        browser.ask(press_script + "; 0")
+def figures(page):
+    for name in ("index", "hapticwall"):
+        page.open(f"page/{name}.html", frames=120)
+        frame_ms = statistics.median(page.ask("Module.frames.slice(1)"))
+        print(f"{name}.html: first frame {page.ask('Module.firstFrame') / 1e3:.2f} s, a frame {frame_ms:.1f} ms")
+        page.expect_silence()
+    page.picture("first")
 
 
-def facts(browser):
-    return browser.ask("see()")
+def wrong_links(page):
+    for wrong, named in (("scene=tapp", "tapp"), ("algorithm=eba", "eba"), ("set=nonsense", "nonsense"),
+                         ("set=wall.stiffness_n_per_m=-1", "wall.stiffness_n_per_m: -1")):
+        page.open(f"page/index.html?{wrong}", frames=0)
+        page.wait(f"document.getElementById('message').textContent.includes('{named}')")
 
 
-def press_key(browser, code, number):
-    browser.ask(f"key('{code}', {number})")
-
-
-def figures_of_a_page(browser, url):
-    for name in ("index.html", "hapticwall.html"):
-        open_page(browser, f"{url}/page/{name}", frames=120)
-        times = browser.ask("Module.frames.slice(1)")
-        first = browser.ask("Module.firstFrame")
-        print(f"{name}: first frame {first / 1e3:.2f} s, a frame {statistics.median(times):.1f} ms by a software renderer")
-        check(not browser.problems(), f"{name} is silent: {browser.problems()}")
-    browser.picture(str(pictures / "first.png"))
-
-
-def wrong_links(browser, url):
-    message = "(document.getElementById('message') || {textContent: ''}).textContent"
-    for wrong, named in (("scene=tapp", "tapp"), ("algorithm=eba", "eba"),
-                         ("set=wall.stiffness_n_per_m=-1", "stiffness_n_per_m"), ("set=nonsense", "nonsense")):
-        open_page(browser, f"{url}/page/index.html?{wrong}", frames=0)
-        browser.wait_for(f"{message}.includes('{named}')", f"a line about {wrong}")
-        print(f"{wrong}: {browser.ask(message)}")
-
-
-def link(browser, url):
-    open_page(browser, f"{url}/page_tested/index.html?scene=tap&algorithm=half-sample&set=wall.stiffness_n_per_m=5000")
-    seen = facts(browser)
-    check(seen["scene"] == "tap" and seen["algorithm"] == 6, f"the link chooses scene and algorithm: {seen}")
+def links_and_keys(page):
+    page.open("page_tested/index.html?scene=tap&algorithm=half-sample&set=wall.stiffness_n_per_m=5000")
+    seen = page.do("see()")
+    expect((seen["scene"], seen["algorithm"], seen["stiffness"]) == ("tap", 6, 5000), f"the link chooses: {seen}")
     for algorithm in range(8):
-        press_key(browser, f"Digit{algorithm + 1}", 49 + algorithm)
-        check(facts(browser)["algorithm"] == algorithm, f"key {algorithm + 1} chooses its algorithm")
+        page.key(f"Digit{algorithm + 1}", 49 + algorithm)
+        expect(page.do("see()")["algorithm"] == algorithm, f"key {algorithm + 1} chooses its algorithm")
+    page.expect_silence()
 
 
-def every_control(browser, url):
-    # High enough that nothing has to be scrolled to.
-    open_page(browser, f"{url}/page_tested/index.html", width=1280, height=1800)
-    start = time.monotonic()
-    report = browser.ask("pressEverything(1500)", limit_s=900)
-    print(f"{report['pressed']} controls pressed, {report['presses']} presses in {time.monotonic() - start:.0f} s")
-    check(report["pressed"] >= 150, "all of the window was reached")
-    check(not report["left"], f"nothing is left: {report['left']}")
-    frames = facts(browser)["frames"]
-    check(facts(browser)["frames"] > frames, "the page lives")
-    check(not browser.problems(), f"no control brings an exception: {browser.problems()}")
-    browser.picture(str(pictures / "pressed.png"))
-
-
-def hidden(browser, url):
-    open_page(browser, f"{url}/page_tested/index.html")
-    before = facts(browser)["time_s"]
-    other = browser.call("Target.createTarget", url="about:blank")["targetId"]
-    browser.call("Target.activateTarget", targetId=other)
-    time.sleep(10)
-    state = browser.ask("document.visibilityState")
-    browser.call("Target.closeTarget", targetId=other)
-    browser.call("Target.activateTarget", targetId=browser.target)
-    after = facts(browser)
-    print(f"hidden for 10 s ({state}): the session went on by {after['time_s'] - before:.2f} s, {after['missed']} ticks missed")
-    check(state == "hidden", "the page was hidden")
-    check(after["time_s"] - before < 5, "the time of a hidden page is left out")
-    check(after["missed"] == 0, "and counts as no missed tick")
-    check(not browser.problems(), f"hidden: {browser.problems()}")
-
-
-def sizes(browser, url):
-    open_page(browser, f"{url}/page_tested/index.html")
+def sizes(page):
+    page.open()
     for width, height, scale in ((1024, 680, 1), (1600, 1000, 1), (1280, 800, 2), (820, 1180, 2)):
-        browser.call("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=scale, mobile=False)
-        browser.wait_for(f"Module.canvas.width === {width * scale} && Module.canvas.height === {height * scale}",
-                         f"a canvas of {width} x {height} at {scale}")
-        browser.ask("frames(20)")
-        check(facts(browser)["scale"] == scale, f"the scale {scale}")
-        browser.picture(str(pictures / f"{width}x{height}-{scale}.png"))
-    check(not browser.problems(), f"sizes: {browser.problems()}")
+        page.size(width, height, scale)
+        page.wait(f"Module.canvas.width === {width * scale} && Module.canvas.height === {height * scale}")
+        page.do("frames(20)")
+        expect(page.do("see()")["scale"] == scale, f"the scale {scale}")
+        page.picture(f"{width}x{height}-{scale}")
+    page.expect_silence()
 
 
-def touch(browser, url):
-    open_page(browser, f"{url}/page_tested/index.html", touch=True)
-    place = {"x": 150.0, "y": 280.0}
-    browser.call("Input.dispatchTouchEvent", type="touchStart", touchPoints=[place])
-    for step in range(1, 11):
-        moved = {"x": place["x"] + 5 * step, "y": place["y"]}
-        browser.call("Input.dispatchTouchEvent", type="touchMove", touchPoints=[moved])
-        browser.ask("frames(2)")
-    seen = facts(browser)
-    browser.call("Input.dispatchTouchEvent", type="touchEnd", touchPoints=[])
-    check(seen["led"], f"a finger leads the hand: {seen}")
-    check(not browser.problems(), f"touch: {browser.problems()}")
-    browser.picture(str(pictures / "touch.png"))
+def touch(page):
+    page.open(touch=True)
+    for step in range(11):
+        point = {"x": 150 + 5 * step, "y": 280}
+        page.call("Input.dispatchTouchEvent", type="touchMove" if step else "touchStart", touchPoints=[point])
+        page.do("frames(2)")
+    seen = page.do("see()")
+    page.call("Input.dispatchTouchEvent", type="touchEnd", touchPoints=[])
+    expect(seen["led"], f"a finger leads the hand: {seen}")
+    page.expect_silence()
 
 
-# The keys of the five lessons, in order; what each waits for is judged by the tour itself.
-LESSONS = (("1",), ("3",), ("2", "r"), ("4", "r"), ("1", "4", "r"))
+def hidden(page):
+    page.open()
+    page.ask("(window.states = [], document.addEventListener('visibilitychange', () => states.push(document.hidden)))")
+    before = page.do("see()")["time_s"]
+    here = page.driver.current_window_handle
+    page.driver.switch_to.new_window("tab")
+    time.sleep(10)
+    page.driver.close()
+    page.driver.switch_to.window(here)
+    after = page.do("see()")
+    print(f"hidden for 10 s: the session went on by {after['time_s'] - before:.2f} s, {after['missed']} ticks missed")
+    expect(page.ask("states")[:1] == [True], "the page was hidden")
+    expect(after["time_s"] - before < 5 and after["missed"] == 0, "the time of a hidden page is left out, not missed")
+    page.expect_silence()
 
 
-def tour(browser, url):
-    open_page(browser, f"{url}/page_tested/index.html")
-    browser.ask("see()")
-    browser.ask("(c => click(c.x, c.y))(Module.controls.find(each => each.label.includes('begin tour')))")
+# The tour itself judges what a lesson waits for.
+LESSONS = ("1", "3", "2R", "4R", "14R")
+
+
+def tour(page):
+    page.open()
+    page.click("begin tour")
     for number, keys in enumerate(LESSONS, 1):
-        check(facts(browser)["tour"] == number, f"step {number} of the tour")
+        expect(page.do("see()")["tour"] == number, f"step {number} of the tour")
         for each in keys:
-            press_key(browser, f"Digit{each}" if each.isdigit() else "KeyR", ord(each.upper()))
+            page.key(f"Digit{each}" if each.isdigit() else "KeyR", ord(each))
             time.sleep(4)
-        for _ in range(30):
-            if facts(browser)["seen"] >= number:
-                break
-            time.sleep(0.5)
-        check(facts(browser)["seen"] >= number, f"lesson {number} is seen")
-        browser.picture(str(pictures / f"tour-{number}.png"))
-        browser.ask("see().then(() => (c => click(c.x, c.y))(Module.controls.find(each => each.label.includes('tour next'))))")
-    check(facts(browser)["tour"] == 6, "the tour has its end")
-    browser.picture(str(pictures / "tour-end.png"))
-    check(not browser.problems(), f"tour: {browser.problems()}")
+        until = time.monotonic() + 20
+        while page.do("see()")["seen"] < number and time.monotonic() < until:
+            time.sleep(0.2)
+        expect(page.do("see()")["seen"] == number, f"lesson {number} is seen")
+        page.picture(f"tour-{number}")
+        page.click("tour next")
+    expect(page.do("see()")["tour"] == len(LESSONS) + 1, "the tour has its end")
+    page.picture("tour-end")
+    page.expect_silence()
+
+
+def every_control(page):
+    page.open(height=1800)  # nothing has to be scrolled to
+    report = page.do("pressEverything(1500)")
+    print(f"{report['pressed']} controls, {report['presses']} presses")
+    expect(report["pressed"] >= 180 and not report["left"], f"every control was reached: {report}")
+    frames = page.do("see()")["frames"]
+    expect(page.do("see()")["frames"] > frames, "the page lives")
+    page.expect_silence()
+    page.picture("pressed")
 
 
 def main():
-    pictures.mkdir(exist_ok=True)
-    program = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
-    if not program:
-        sys.exit("there is no Chromium here")
-    browser = Browser(program)
+    PICTURES.mkdir(exist_ok=True)
+    page = Page()
     try:
-        with served(str(build)) as url:
-            for part in (figures_of_a_page, wrong_links, link, sizes, touch, hidden, tour, every_control):
-                print(f"-- {part.__name__}", flush=True)
-                part(browser, url)
+        for part in (figures, wrong_links, links_and_keys, sizes, touch, hidden, tour, every_control):
+            print(f"-- {part.__name__}", flush=True)
+            part(page)
     finally:
-        browser.close()
+        page.driver.quit()
     print(f"{len(failures)} failures")
     return 1 if failures else 0
 

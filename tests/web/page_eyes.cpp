@@ -53,18 +53,17 @@ extern "C" EMSCRIPTEN_KEEPALIVE void see() {
         fmt::format(R"({}{{"id":{},"x":{},"y":{},"label":"{}"}})", list.empty() ? "" : ",", each.id,
                     each.box.GetCenter().x, each.box.GetCenter().y, escaped(each.label));
   }
-  ui::Application& application = web::application_of_page();
-  const session::Snapshot snapshot = application.session().snapshot();
-  note(
-      ("[" + list + "]").c_str(),
-      fmt::format(
-          R"({{"time_s":{},"missed":{},"paused":{},"algorithm":{},"tour":{},"seen":{},"led":{},"scene":"{}","scale":{},"frames":{}}})",
-          snapshot.newest.x().time_s, snapshot.timing.missed_ticks, snapshot.paused,
-          application.session().scene().algorithm.index, application.state().tour.step,
-          application.state().tour.seen.count(), application.state().hand.led,
-          application.session().scene().name, ImGui::GetIO().DisplayFramebufferScale.x,
-          ImGui::GetFrameCount())
-          .c_str());
+  ui::Application& shown = web::application_of_page();
+  const session::Snapshot now = shown.session().snapshot();
+  const Scene& scene = shown.session().scene();
+  const std::string facts =
+      fmt::format(R"({{"time_s":{},"missed":{},"scene":"{}","algorithm":{},"stiffness":{},)"
+                  R"("tour":{},"seen":{},"led":{},"scale":{},"frames":{}}})",
+                  now.newest.x().time_s, now.timing.missed_ticks, scene.name, scene.algorithm.index,
+                  scene.x().walls.empty() ? 0.0 : scene.x().walls.front().stiffness_n_per_m,
+                  shown.state().tour.step, shown.state().tour.seen.count(), shown.state().hand.led,
+                  ImGui::GetIO().DisplayFramebufferScale.x, ImGui::GetFrameCount());
+  note(("[" + list + "]").c_str(), facts.c_str());
 }
 
 // Dear ImGui calls these for each item that it draws.

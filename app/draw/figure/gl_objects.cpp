@@ -25,6 +25,12 @@ std::string first_line(std::string text) {
   return text;
 }
 
+// True for OpenGL ES, as in a browser.
+bool is_es() {
+  const std::string_view version = reinterpret_cast<const char*>(glGetString(GL_VERSION));
+  return version.starts_with("OpenGL ES");
+}
+
 Result<GLuint> compile(GLenum kind, std::string_view file_name) {
   const auto text = shader_text(file_name);
   if (!text)
@@ -82,10 +88,9 @@ GlName<release_buffer> new_buffer(GLenum target, const void* data, std::size_t b
 
 }  // namespace
 
-const char* glsl_version() {
-  const std::string_view version = reinterpret_cast<const char*>(glGetString(GL_VERSION));
-  return version.starts_with("OpenGL ES") ? "#version 300 es" : "#version 330 core";
-}
+const char* glsl_version() { return is_es() ? "#version 300 es" : "#version 330 core"; }
+
+bool can_copy_samples() { return !is_es(); }
 
 void release_program(GLuint name) { glDeleteProgram(name); }
 void release_buffer(GLuint name) { glDeleteBuffers(1, &name); }

@@ -46,6 +46,8 @@ void release_framebuffer(GLuint name);
 
 // First line of shaders in the present context, which is one of OpenGL ES 3 in a browser.
 [[nodiscard]] const char* glsl_version();
+// False in OpenGL ES 3: a target of several samples a pixel cannot be copied into another.
+[[nodiscard]] bool can_copy_samples();
 
 class GlProgram {
  public:
@@ -92,7 +94,8 @@ class GlTarget {
   [[nodiscard]] static Result<GlTarget> create(int width, int height, int samples);
 
   void bind() const;  // draw here from now on
-  // Takes over the colours of a target of the same size and number of samples.
+  // Takes over the colours of a target of the same size and number of samples. Precondition:
+  // can_copy_samples().
   void copy_colours(const GlTarget& from) const;
   void resolve() const;  // the texture shows what was drawn; the default framebuffer is bound again
   [[nodiscard]] GLuint texture() const { return texture_.get(); }

@@ -90,6 +90,7 @@ class Renderer final : public WallRenderer {
  private:
   [[nodiscard]] bool needs_drawing(const Drawn& wanted);
   static bool ensure(std::optional<draw::GlTarget>& target, int width, int height, int samples);
+  [[nodiscard]] bool keep_ground(const WallView& view, int width, int height, int samples);
   bool draw_draft(const WallView& view);
   bool draw_fine(const WallView& view);
   void draw_solids(const WallView& view) const;
@@ -133,21 +134,31 @@ void Renderer::draw_solids(const WallView& view) const {
   shaders_->solids.draw(view);
 }
 
+// The floor is the costly part of a picture, and seldom changes.
+bool Renderer::keep_ground(const WallView& view, int width, int height, int samples) {
+  if (last_ground_ && last_ground_->same_ground(last_)) return true;
+  last_ground_.reset();
+  if (!ensure(ground_, width, height, samples)) return false;
+  ground_->bind();
+  shaders_->floor.draw(view, height);
+  last_ground_ = last_;
+  return true;
+}
+
 bool Renderer::draw_draft(const WallView& view) {
   const int width = std::max(1, static_cast<int>(draft_share_ * static_cast<float>(last_.width)));
   const int height = std::max(1, static_cast<int>(draft_share_ * static_cast<float>(last_.height)));
   // Fewer pixels would be blocks without smooth edges.
   const int samples = draft_share_ < 1.0F ? kSamplesPerPixel : 1;
   if (!ensure(draft_, width, height, samples)) return false;
-  if (!last_ground_ || !last_ground_->same_ground(last_)) {
-    last_ground_.reset();
-    if (!ensure(ground_, width, height, samples)) return false;
-    ground_->bind();
+  if (draw::can_copy_samples()) {
+    if (!keep_ground(view, width, height, samples)) return false;
+    draft_->copy_colours(*ground_);
+    draft_->bind();
+  } else {
+    draft_->bind();
     shaders_->floor.draw(view, height);
-    last_ground_ = last_;
   }
-  draft_->copy_colours(*ground_);
-  draft_->bind();
   draw_solids(view);
   draft_->resolve();
   return true;
