@@ -109,8 +109,8 @@ def add_menu(app, page, source):
 def lead_to_page(app, page, source):
     """*Try it* opens the page for browsers where the site has it, and its description elsewhere."""
     if page == "README" and (ROOT / "build/web/page/index.html").is_file():
-        source[0] = source[0].replace("**[Try it in a browser](docs/browser.md)**",
-                                      "<a href=\"try/index.html\"><strong>Try it in a browser</strong></a>")
+        before, after = source[0].split("**[Try it in a browser](docs/browser.md)**")
+        source[0] = f'{before}<a href="try/index.html"><strong>Try it in a browser</strong></a>{after}'
 
 
 def unlink_folders(app, page):

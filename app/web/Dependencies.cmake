@@ -33,13 +33,13 @@ target_compile_options(hapticwall_common_options INTERFACE $<$<COMPILE_LANGUAGE:
 target_link_options(hapticwall_common_options INTERFACE -fwasm-exceptions -sSTACK_SIZE=1MB
                                                         -sALLOW_MEMORY_GROWTH=1)
 
-# What a browser lacks; lacking_*.cpp has in its place what is needed for all that.
+# These sources use a part of the system that a browser lacks. lacking_*.cpp stands for a few of them.
 set(HAPTICWALL_LEFT_OUT
     /run/workers.cpp /file/png.cpp /plugin/plugin_library.cpp
     /draw/film/ /figure/page.cpp /figure/page_painter.cpp /figure/figure_file.cpp /figure/shapes.cpp
     /figure/gui_context.cpp /figure/glyphs.cpp
     /signal/wav.cpp /signal/resampler.cpp /live/rt_audio_card.cpp
     /app/session/line_pipe.cpp /loop/crash_stop.cpp /loop/early_exit.cpp /loop/realtime_setup.cpp /loop/loop_thread.cpp
-    /ui/window/window.cpp /ui/window/display_end.cpp)
+    /ui/computed/background.cpp /ui/window/window.cpp /ui/window/display_end.cpp)
 
 include(Gui)

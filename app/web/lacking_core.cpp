@@ -1,4 +1,4 @@
-// What core and app/file lack in a browser: threads, and a library's SHA-256.
+// Stands for parts of core and app/file that a browser lacks: threads, and a library's SHA-256.
 #include <emscripten.h>
 #include <sha2.h>
 

@@ -68,7 +68,10 @@ class Page {
     glfwPollEvents();
     const double start_s = glfwGetTime();
     const bool acts = !ImGui::GetCurrentContext()->InputEventsQueue.empty();
-    if (!acts && start_s < next_s_) return;
+    if (!acts && start_s < next_s_) {
+      application_->take_ticks();
+      if (!application_->moving()) return;
+    }
     ui::draw_frame(*application_);
     if (application_->needs_painting()) ui::paint_frame(window_);
     const double now_s = glfwGetTime();
@@ -131,7 +134,8 @@ ui::Application& application_of_page() { return page->application(); }
 
 }  // namespace hapticwall::web
 
-// A press by a finger waits until what lies under it is known, a frame after it has come there.
+// Tells Dear ImGui that a finger points. It then passes a press on a frame after the place of the
+// press, because a control takes presses only while the pointer is known to be over it.
 extern "C" EMSCRIPTEN_KEEPALIVE void point_by_finger(bool touches) {
   ImGui::GetIO().AddMouseSourceEvent(touches ? ImGuiMouseSource_TouchScreen
                                              : ImGuiMouseSource_Mouse);

@@ -29,15 +29,15 @@ class LoopDriver {
   virtual void wait() = 0;
 };
 
-// The thread runs run_servo_loop(). Returns when it is set up; throws std::system_error where there
-// is no thread to be had. `affinity_core`: as for set_up_realtime_thread(). Realtime-safe: no.
+// The thread runs run_servo_loop(). Returns when it is set up; throws std::system_error if the
+// system has no more threads. `affinity_core`: as for set_up_realtime_thread(). Realtime-safe: no.
 [[nodiscard]] std::unique_ptr<LoopDriver> start_loop_thread(ServoLoop& loop, Exchange& exchange,
                                                             double rate_hz, Clock& clock,
                                                             int affinity_core);
 
-// A gap longer than this between two turns is left out, and counts as no missed tick: nobody saw
-// the window.
-inline constexpr std::int64_t kLongestTurnNs = 100'000'000;
+// A turn makes up for this time at most. A longer gap, as of a hidden window, is left out and
+// counts as no missed tick.
+inline constexpr std::int64_t kMaxTurnNs = 100'000'000;
 
 // The owner's turns run the cycles, each as if it had begun at its deadline. For simulators alone:
 // a hand on a device must not wait for a window.

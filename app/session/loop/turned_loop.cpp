@@ -34,10 +34,10 @@ class TurnedLoop final : public LoopDriver {
 
  private:
   void leave_gap_out(std::int64_t now_ns) {
-    const std::int64_t late_ns = now_ns - scheduler_.deadline_ns();
-    if (late_ns <= kLongestTurnNs) return;
+    const std::int64_t excess_ns = now_ns - scheduler_.deadline_ns() - kMaxTurnNs;
+    if (excess_ns <= 0) return;
     const double periods =
-        std::floor(static_cast<double>(late_ns) * rate_hz_ / kNanosecondsPerSecond);
+        std::ceil(static_cast<double>(excess_ns) * rate_hz_ / kNanosecondsPerSecond);
     scheduler_.skip(static_cast<std::uint64_t>(periods));
   }
 

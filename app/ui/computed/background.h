@@ -10,7 +10,6 @@
 #include <future>
 #include <memory>
 #include <optional>
-#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -24,8 +23,13 @@ namespace hapticwall::ui {
   return static_cast<int>(std::max<std::size_t>(worker_count(0), 2) - 1);
 }
 
+// A thread of its own for each task. In a browser, which has none: deferred, so that take() runs
+// it.
+[[nodiscard]] std::launch background_launch();
+
 // One task at a time. All members are called from the owner's thread. None waits, except the
-// destructor, which waits for the end of the task, and start() on a machine without a thread.
+// destructor, which waits for the end of the task, and take() where background_launch() is
+// deferred.
 template <typename T>
 class Background {
  public:
@@ -44,22 +48,15 @@ class Background {
   ~Background() { give_up(); }
 
   // Cancels a running task first.
-  void start(Work work) {
+  void start(Work work, std::launch launch = background_launch()) {
     give_up();
     state_ = std::make_shared<State>();
-    const auto run = [state = state_, work = std::move(work)] {
+    future_ = std::async(launch, [state = state_, work = std::move(work)] {
       return guarded(work, [&state](double fraction) {
         state->fraction.store(fraction, std::memory_order_relaxed);
         return !state->given_up.load(std::memory_order_relaxed);
       });
-    };
-    try {
-      future_ = std::async(std::launch::async, run);
-    } catch (const std::system_error&) {  // no thread to be had: at once, while the window waits
-      std::promise<Result<T>> done;
-      done.set_value(run());
-      future_ = done.get_future();
-    }
+    });
   }
 
   // Cancels the task; its thread ends at its next progress report.
@@ -87,7 +84,7 @@ class Background {
   };
 
   static bool is_ready(const std::future<Result<T>>& future) {
-    return future.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+    return future.wait_for(std::chrono::seconds(0)) != std::future_status::timeout;
   }
   static Result<T> guarded(const Work& work, const Progress& progress) {
     try {

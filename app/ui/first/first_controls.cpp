@@ -38,7 +38,7 @@ void open_more(const PanelContext& context) { show_more(context.window, context.
 std::vector<HeadButton> head_buttons(const PanelContext& context) {
   return {{context.snapshot.paused ? "Run###pause" : "Pause###pause",
            "Pauses or runs the session (key P)", toggle_pause},
-          {"From rest###reset", "Back to tick 0, at rest (key R). Ends a recording.", ask_to_reset},
+          {"From rest###reset", "Back to tick 0, at rest (key R)", ask_to_reset},
           {"Tour###begin tour", "Five lessons, a minute each", begin_tour,
            context.tour.step == 0 && context.tour.offered},
           {"More###more",

@@ -98,8 +98,8 @@ void draw_device_choices(const PanelContext& context) {
 // Numbers that the file of the device does not have stay, so that no device is "chosen".
 void draw_device_list(const PanelContext& context) {
   constexpr const char* kMeaning =
-      "Replaces the numbers below by those of a device file, as --set device=NAME does. A number "
-      "that the file does not have stays. The tooltips name the sources.";
+      "Replaces the numbers below by those of a known device, as --set device=NAME does. A number "
+      "that is not known of it stays. The tooltips name the sources.";
   field_label(context, "numbers of", kMeaning, "");
   if (ImGui::BeginCombo("##device numbers", "a device ...")) {
     draw_device_choices(context);

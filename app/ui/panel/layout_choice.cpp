@@ -203,7 +203,7 @@ void draw_layout_choice(const PanelContext& context) {
   }
   draw_names(context);
   ImGui::Separator();
-  draw_keep(context);
+  if (context.can.files) draw_keep(context);
   draw_windows(context);
   ImGui::EndCombo();
 }

@@ -57,8 +57,9 @@ void draw_scale(const PanelContext& context) {
   Appearance& appearance = context.appearance;
   field_label(
       context, "size",
-      fmt::format("Size of everything, {} to {} %. Keys Ctrl +, Ctrl −; Ctrl 0 follows the screen.",
-                  session::kMinScalePercent, session::kMaxScalePercent),
+      fmt::format("Size of everything, {} to {} %{}", session::kMinScalePercent,
+                  session::kMaxScalePercent,
+                  context.can.all_keys ? ". Keys Ctrl +, Ctrl −; Ctrl 0 follows the screen." : ""),
       "");
   if (ImGui::Button("−###smaller")) step_scale(appearance, -1);
   ImGui::SameLine();
@@ -145,7 +146,9 @@ void draw_panel_head(const PanelContext& context) {
              "Takes back (Ctrl+Z):\n" + undo.undo_text(), undo_change},
       Button{"Redo", "redo", undo.can_redo() && changeable,
              "Does again (Ctrl+Y):\n" + undo.redo_text(), redo_change},
-      Button{"Settings", "settings", true, "Colours, size, layout", open_settings},
+      Button{"Settings", "settings", true,
+             context.can.files ? "Colours, size, recordings" : "Colours, size, layout",
+             open_settings},
       Button{"?", "help", true, "All keys (F1)", toggle_help}};
   draw::strong_text(context.theme, "Haptic Wall", draw::kTitleFontSize);
   ImGui::PushFont(nullptr, draw::kSmallFontSize);

@@ -143,11 +143,11 @@ std::vector<RowControl> loop_values(const PanelContext& context, const session::
          context.shows.hides_algorithm ? "hidden" : p99_text(context.timing.compute_time),
          draw::Tone::kText, "Compute time of a tick: 99th percentile and maximum"}));
   }
-  values.push_back(control_of(
-      context, 2,
-      {"plot drops", fmt::format("{}", dropped),
-       dropped > 0 ? draw::Tone::kWarning : draw::Tone::kText,
-       "Samples that the window was too slow to take; the recording has its own queue", "999"}));
+  values.push_back(
+      control_of(context, 2,
+                 {"plot drops", fmt::format("{}", dropped),
+                  dropped > 0 ? draw::Tone::kWarning : draw::Tone::kText,
+                  "Samples that the window was too slow to take; recordings have them", "999"}));
   return values;
 }
 

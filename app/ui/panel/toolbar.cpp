@@ -64,8 +64,7 @@ void draw_step_button(const PanelContext& context) {
 }
 
 void draw_reset(const PanelContext& context) {
-  if (button("Reset###reset",
-             "Back to tick 0 at rest, with the present values (key R). Ends a recording.",
+  if (button("Reset###reset", "Back to tick 0 at rest, with the present values (key R)",
              {.width = ems(kToolButtonEms)}))
     ask_to_reset(context);
   point_at_reset(context);
@@ -75,8 +74,11 @@ void draw_repeat(const PanelContext& context) {
   bool& repeats = context.scene.repeats;
   if (choice_button(
           context, "Repeat###repeat scene", repeats,
-          "A simulated scene begins anew, at rest, at its end; not while it is recorded or "
-          "the pointer leads the hand",
+          context.can.files
+              ? "A simulated scene begins anew, at rest, at its end; not while it is recorded or "
+                "the pointer leads the hand"
+              : "A simulated scene begins anew, at rest, at its end; not while the pointer leads "
+                "the hand",
           {.width = ems(kToolButtonEms)}))
     repeats = !repeats;
 }

@@ -1,4 +1,4 @@
-// What the machine has on which the window runs. What is not there is not shown.
+// Parts of the machine under the window. The window hides every control that needs a missing one.
 #pragma once
 
 namespace hapticwall::ui {
@@ -13,7 +13,7 @@ struct Capabilities {
   bool all_keys = true;  // false: F5 and the zoom with Ctrl belong to the program around the window
 };
 
-// What a row of a table needs; nullptr: nothing.
+// The part that a row of a table needs; nullptr: none.
 using Needs = bool Capabilities::*;
 
 [[nodiscard]] inline bool has(const Capabilities& can, Needs needs) {

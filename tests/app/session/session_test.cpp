@@ -100,6 +100,11 @@ TEST(Session, ResetStartsOverAndRepeatsItself) {
   session->reset();
   const std::vector<Sample> second = session.pass(300);
   EXPECT_EQ(session->snapshot().resets, 1U);
+  session->pause(true);
+  session->reset();
+  EXPECT_TRUE(session.pass(20).empty());
+  EXPECT_TRUE(session->snapshot().paused) << "a reset keeps a pause";
+  EXPECT_EQ(session->snapshot().newest.x().tick, 0U);
   ASSERT_EQ(first.size(), second.size());
   EXPECT_EQ(std::memcmp(first.data(), second.data(), first.size() * sizeof(Sample)), 0);
 }

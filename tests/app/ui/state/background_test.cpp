@@ -2,10 +2,8 @@
 #include "app/ui/computed/background.h"
 
 #include <gtest/gtest.h>
-#include <pthread.h>
 
 #include <atomic>
-#include <cstddef>
 #include <future>
 #include <new>
 #include <string>
@@ -74,26 +72,25 @@ TEST(Background, ANewPieceTakesThePlaceOfTheOldOne) {
   EXPECT_EQ(**outcome, "new");
 }
 
-// As in a browser: no stack fits into the memory, so that no thread can begin.
-TEST(Background, WithoutAThreadItIsDoneAtOnce) {
-  pthread_attr_t usual;
-  ASSERT_EQ(pthread_getattr_default_np(&usual), 0);
-  pthread_attr_t huge = usual;
-  ASSERT_EQ(pthread_attr_setstacksize(&huge, std::size_t{1} << 47U), 0);
-  ASSERT_EQ(pthread_setattr_default_np(&huge), 0);
-  const std::thread::id here = std::this_thread::get_id();
+// As in a browser.
+TEST(Background, WithoutAThreadTheOwnerDoesItAndMayCancelItBefore) {
   std::thread::id there;
-  Work work;
-  work.start([&](const Work::Progress& progress) {
+  const auto work_here = [&](const Work::Progress& progress) {
     there = std::this_thread::get_id();
     EXPECT_TRUE(progress(0.5));
     return Result<std::string>("done");
-  });
-  pthread_setattr_default_np(&usual);
-  EXPECT_EQ(there, here);
+  };
+  Work work;
+  work.start(work_here, std::launch::deferred);
+  EXPECT_TRUE(work.running());
+  work.give_up();
+  EXPECT_FALSE(work.take());
+  EXPECT_EQ(there, std::thread::id());
+  work.start(work_here, std::launch::deferred);
   const auto outcome = work.take();
   ASSERT_TRUE(outcome);
   EXPECT_EQ(**outcome, "done");
+  EXPECT_EQ(there, std::this_thread::get_id());
   EXPECT_FALSE(work.running());
 }
 
