@@ -57,7 +57,7 @@ def test_the_workflow_calls_commands_that_exist():
     text = str(steps)
     known = (ROOT / "dev").read_text()
     commands = re.findall(r"\./dev (\w+)", text)
-    assert set(commands) == {"package", "wheels", "web", "site"}
+    assert set(commands) == {"package", "wheels", "test", "web", "site"}
     for command in commands:
         assert re.search(rf"^    {command}\) ", known, re.MULTILINE), command
     for script in re.findall(r"tests/\w+/\w+", text):

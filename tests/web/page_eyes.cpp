@@ -20,7 +20,7 @@ namespace {
 struct Control {
   ImGuiID id = 0;
   ImRect box;
-  std::string label;
+  std::string label;  // lists have none
 };
 std::vector<Control> controls;
 int frame_of_controls = 0;
@@ -48,7 +48,6 @@ extern "C" EMSCRIPTEN_KEEPALIVE void see() {
   ImGui::GetCurrentContext()->TestEngineHookItems = true;
   std::string list;
   for (const Control& each : controls) {
-    if (each.label.empty()) continue;
     list +=
         fmt::format(R"({}{{"id":{},"x":{},"y":{},"label":"{}"}})", list.empty() ? "" : ",", each.id,
                     each.box.GetCenter().x, each.box.GetCenter().y, escaped(each.label));
