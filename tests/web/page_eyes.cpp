@@ -1,10 +1,9 @@
 // What the test of the page sees: Module.see() notes the controls of the last frame, and facts of
 // the session, in Module.controls and Module.facts.
 #include <emscripten.h>
-#include <fmt/format.h>
 #include <imgui_internal.h>
 
-#include <cstdarg>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,15 +24,6 @@ struct Control {
 std::vector<Control> controls;
 int frame_of_controls = 0;
 
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char each : text) {
-    if (each == '"' || each == '\\') out += '\\';
-    out += static_cast<unsigned char>(each) < 0x20 ? ' ' : each;
-  }
-  return out;
-}
-
 // clang-format off
 EM_JS(void, note, (const char* controls, const char* facts), {
   Module.controls = JSON.parse(UTF8ToString(controls));
@@ -46,23 +36,26 @@ EM_JS(void, note, (const char* controls, const char* facts), {
 extern "C" EMSCRIPTEN_KEEPALIVE void see() {
   using namespace hapticwall;
   ImGui::GetCurrentContext()->TestEngineHookItems = true;
-  std::string list;
+  nlohmann::json list = nlohmann::json::array();
   for (const Control& each : controls) {
-    list +=
-        fmt::format(R"({}{{"id":{},"x":{},"y":{},"label":"{}"}})", list.empty() ? "" : ",", each.id,
-                    each.box.GetCenter().x, each.box.GetCenter().y, escaped(each.label));
+    const ImVec2 centre = each.box.GetCenter();
+    list.push_back({{"id", each.id}, {"x", centre.x}, {"y", centre.y}, {"label", each.label}});
   }
   ui::Application& shown = web::application_of_page();
   const session::Snapshot now = shown.session().snapshot();
   const Scene& scene = shown.session().scene();
-  const std::string facts =
-      fmt::format(R"({{"time_s":{},"missed":{},"scene":"{}","algorithm":{},"stiffness":{},)"
-                  R"("tour":{},"seen":{},"led":{},"scale":{},"frames":{}}})",
-                  now.newest.x().time_s, now.timing.missed_ticks, scene.name, scene.algorithm.index,
-                  scene.x().walls.empty() ? 0.0 : scene.x().walls.front().stiffness_n_per_m,
-                  shown.state().tour.step, shown.state().tour.seen.count(), shown.state().hand.led,
-                  ImGui::GetIO().DisplayFramebufferScale.x, ImGui::GetFrameCount());
-  note(("[" + list + "]").c_str(), facts.c_str());
+  const bool walls = !scene.x().walls.empty();
+  const nlohmann::json facts{{"time_s", now.newest.x().time_s},
+                             {"missed", now.timing.missed_ticks},
+                             {"scene", scene.name},
+                             {"algorithm", scene.algorithm.index},
+                             {"stiffness", walls ? scene.x().walls.front().stiffness_n_per_m : 0.0},
+                             {"tour", shown.state().tour.step},
+                             {"seen", shown.state().tour.seen.count()},
+                             {"led", shown.state().hand.led},
+                             {"scale", ImGui::GetIO().DisplayFramebufferScale.x},
+                             {"frames", ImGui::GetFrameCount()}};
+  note(list.dump().c_str(), facts.dump().c_str());
 }
 
 // Dear ImGui calls these for each item that it draws.

@@ -72,7 +72,7 @@ TEST(Background, ANewPieceTakesThePlaceOfTheOldOne) {
   EXPECT_EQ(**outcome, "new");
 }
 
-// As in a browser.
+// A browser has no thread for a task.
 TEST(Background, WithoutAThreadTheOwnerDoesItAndMayCancelItBefore) {
   std::thread::id there;
   const auto work_here = [&](const Work::Progress& progress) {
